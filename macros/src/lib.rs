@@ -1,0 +1,2 @@
+//! `include_wgsl!` of the `prefilter` crate.
+#![deny(missing_docs)]

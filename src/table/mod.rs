@@ -1,0 +1,88 @@
+//! Textures that a module reads: their texels, formats and measured errors.
+
+/// How a table's texels are stored.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum Format {
+    /// Four 32-bit floats; core WebGPU and WebGL2 load it but do not filter it.
+    Rgba32Float,
+    /// Four 16-bit floats; filterable everywhere.
+    Rgba16Float,
+    /// Two 32-bit floats; loaded, not filtered.
+    Rg32Float,
+    /// Two 16-bit floats; filterable everywhere.
+    Rg16Float,
+}
+
+impl Format {
+    /// Channels a texel.
+    pub fn channels(self) -> usize {
+        match self {
+            Self::Rgba32Float | Self::Rgba16Float => 4,
+            Self::Rg32Float | Self::Rg16Float => 2,
+        }
+    }
+
+    /// Bytes a texel.
+    pub fn bytes_per_texel(self) -> usize {
+        match self {
+            Self::Rgba32Float => 16,
+            Self::Rgba16Float | Self::Rg32Float => 8,
+            Self::Rg16Float => 4,
+        }
+    }
+
+    /// The bytes that a texture of this format is filled with, little-endian; halves are rounded to nearest.
+    pub fn encode(self, values: &[f32]) -> Vec<u8> {
+        match self {
+            Self::Rgba32Float | Self::Rg32Float => values.iter().flat_map(|value| value.to_le_bytes()).collect(),
+            Self::Rgba16Float | Self::Rg16Float => {
+                values.iter().flat_map(|&value| half::f16::from_f32(value).to_le_bytes()).collect()
+            }
+        }
+    }
+}
+
+/// How a module reads a table, and so what its exports take.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum Sampling {
+    /// Single texels: the export takes the texture alone.
+    Loaded,
+    /// Through a sampler: the export takes the texture and a sampler.
+    Filtered,
+}
+
+/// One mip level.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Level {
+    /// Texels a row.
+    pub width: u32,
+    /// Rows.
+    pub height: u32,
+    /// The channels of the texels, row by row from the top.
+    pub texels: Vec<f32>,
+}
+
+/// A texture to bind to a parameter of an export.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Table {
+    /// The parameter's name; a filtered table's sampler is named `NAME_sampler`.
+    pub name: String,
+    /// How its texels are stored.
+    pub format: Format,
+    /// How it is read.
+    pub sampling: Sampling,
+    /// The mip levels, the largest first.
+    pub levels: Vec<Level>,
+    /// The largest error that reading between texels was measured to add, in the units of the channels.
+    pub error: f32,
+}
+
+impl Table {
+    /// Bytes of all levels.
+    pub fn bytes(&self) -> usize {
+        self.levels.iter().map(|level| level.width as usize * level.height as usize).sum::<usize>()
+            * self.format.bytes_per_texel()
+    }
+}

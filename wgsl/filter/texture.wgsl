@@ -1,0 +1,60 @@
+// C0: the mean of a color map C over a normal variable f with the mean and deviation that a footprint covers.
+//
+// A piecewise-linear map is a sum of kinks max(f − t, 0), narrow ramps and steps, and the mean of a sum is the sum of
+// the means: a scene writes one line a knot. `distance` is always mean − t. Deviations below 1e-6 count as 1e-6.
+
+/// Mean of the kink max(f − t, 0).
+///
+/// Source: Heitz et al. 2014, "Filtering Non-Linear Transfer Functions on Surfaces", equation 9, for C(f) = max(f − t, 0).
+/// Domain: distance in [-1.5, 1.5], deviation log in [1e-6, 0.5].
+/// Error: 2e-7 absolute; f32 rounding.
+fn texture_kink(distance: f32, deviation: f32) -> f32 {
+    let s = max(deviation, 1e-6);
+    return max(distance, 0.0) + s * normal_excess(abs(distance) * (1.0 / s));
+}
+
+/// Mean of the kink max(f − t, 0), by the shorter polynomial.
+///
+/// Source: as `texture_kink`.
+/// Domain: distance in [-1.5, 1.5], deviation log in [1e-6, 0.5].
+/// Error: 1.5e-5 absolute; 3e-5 deviations.
+fn texture_kink_fast(distance: f32, deviation: f32) -> f32 {
+    let s = max(deviation, 1e-6);
+    return max(distance, 0.0) + s * normal_excess_fast(abs(distance) * (1.0 / s));
+}
+
+/// Mean of the step f > t.
+///
+/// Source: Heitz et al. 2014, equation 9, for a unit step; the threshold of "Filtering 101" with weights that sum to one.
+/// Domain: distance in [-1.5, 1.5], deviation log in [1e-6, 0.5].
+/// Error: 4e-7 absolute; f32 rounding.
+fn texture_step(distance: f32, deviation: f32) -> f32 {
+    return normal_cdf(distance / max(deviation, 1e-6));
+}
+
+/// Mean of the step f > t, by one exponential and one reciprocal.
+///
+/// Source: as `texture_step`.
+/// Domain: distance in [-1.5, 1.5], deviation log in [1e-6, 0.5].
+/// Error: 2e-5 absolute; of the fit.
+fn texture_step_fast(distance: f32, deviation: f32) -> f32 {
+    return normal_cdf_fast(distance / max(deviation, 1e-6));
+}
+
+/// Mean of the ramp that rises from 0 at t to 1 at t + width: clamp((f − t)/width, 0, 1).
+///
+/// The difference of two kinks divided by the width, which cancels when the ramp is much narrower than the deviation:
+/// there the ramp is a step at its middle, with an error of (width/deviation)²/24 · max|φ'|.
+///
+/// Source: Heitz et al. 2014, equation 9, for a ramp.
+/// Domain: distance in [-1.5, 1.5], width log in [1e-5, 1], deviation log in [1e-6, 0.5].
+/// Error: 4e-5 absolute; of the step that replaces narrow ramps.
+fn texture_ramp(distance: f32, width: f32, deviation: f32) -> f32 {
+    let s = max(deviation, 1e-6);
+    let r = 1.0 / s;
+    if width * r < 0.05 {
+        return normal_cdf((distance - 0.5 * width) * r);
+    }
+    let excess = normal_excess(abs(distance) * r) - normal_excess(abs(distance - width) * r);
+    return clamp((clamp(distance, 0.0, width) + s * excess) / width, 0.0, 1.0);
+}

@@ -1,0 +1,37 @@
+//! The shelf: plain WGSL functions that filter, one concept a file, and the linker that takes what a text mentions.
+//!
+//! The shelf holds functions, structs and constants only. They are pure (no bindings, no derivatives, no implicit level
+//! of detail), so that any stage can use every one of them and a compute shader can test every one of them. A file's
+//! stem prefixes every name in it: mentioning a name is enough to [`link`] it.
+//!
+//! ```
+//! let text = "fn coverage(height: f32) -> f32 { return normal_cdf(height); }";
+//! let linked = prefilter_wgsl::link(text)?;
+//! assert!(linked.starts_with(text) && linked.contains("fn normal_cdf("));
+//! # Ok::<(), prefilter_wgsl::Collision>(())
+//! ```
+#![deny(missing_docs)]
+
+mod linker;
+mod scan;
+
+pub use linker::{collisions, link, mentioned, nearest, Collision};
+pub use scan::{declarations, Declaration, Kind};
+
+/// One WGSL file of the shelf.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct File {
+    /// The path below the crate's folder, with forward slashes: `math/normal.wgsl`.
+    pub path: &'static str,
+    /// The whole text.
+    pub text: &'static str,
+}
+
+macro_rules! shelf {
+    ($($path:literal),* $(,)?) => {
+        &[$(File { path: $path, text: include_str!(concat!("../", $path)) }),*]
+    };
+}
+
+/// Every file of the shelf, rooms in the order of their dependencies, files by name.
+pub const FILES: &[File] = shelf!["math/grid.wgsl", "math/normal.wgsl", "filter/texture.wgsl",];
