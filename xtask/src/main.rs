@@ -1,3 +1,65 @@
-//! The one entry for people and for CI.
+//! The one entry for people and for CI: `cargo xtask demo`, `cargo xtask test`, `cargo xtask ci`.
 #![deny(missing_docs)]
-fn main() {}
+
+mod ci;
+mod demand;
+mod platform;
+mod shaders;
+mod step;
+
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+use demand::Demand;
+use step::{cargo, run};
+
+/// The one entry for people and for CI.
+#[derive(Parser)]
+#[command(bin_name = "cargo xtask")]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Filter the terrain and the gravel, print how far each method is from the truth, and write pictures and a page.
+    Demo {
+        /// Passed on to the demo, `--help` and `--quick` among them.
+        #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
+        arguments: Vec<String>,
+    },
+    /// Run every test of the workspace on a real Vulkan device.
+    Test {
+        /// Passed on to `cargo test`.
+        #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
+        arguments: Vec<String>,
+    },
+    /// Check everything that a change must keep: format, lints, documentation, tests, snapshots, shaders, the demo.
+    Ci,
+}
+
+fn main() -> ExitCode {
+    let result = match Arguments::parse().command {
+        Command::Demo { arguments } => demo(&arguments),
+        Command::Test { arguments } => test(&arguments),
+        Command::Ci => ci::ci(),
+    };
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(message) => {
+            eprintln!("error: {message}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn demo(arguments: &[String]) -> Result<(), String> {
+    demand::meet(&[Demand::Vulkan])?;
+    run(cargo(["run", "--release", "-p", "spirv-tests", "--bin", "demo", "--"]).args(arguments))
+}
+
+fn test(arguments: &[String]) -> Result<(), String> {
+    demand::meet(&[Demand::Vulkan, Demand::SpirvTools, Demand::Glslang])?;
+    run(cargo(["test", "--workspace", "--all-features"]).args(arguments))
+}
