@@ -2,6 +2,8 @@
 #![deny(missing_docs)]
 
 mod error;
+#[cfg(feature = "gpu")]
+pub mod gpu;
 pub mod reference;
 pub mod table;
 
