@@ -8,3 +8,6 @@ pub mod reference;
 pub mod table;
 
 pub use error::Error;
+#[cfg(feature = "macros")]
+#[doc(inline)]
+pub use prefilter_macros::include_wgsl;

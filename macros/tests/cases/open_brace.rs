@@ -1,0 +1,5 @@
+const SHADER: &str = prefilter_macros::include_wgsl!("shaders/open_brace.wgsl");
+
+fn main() {
+    println!("{SHADER}");
+}

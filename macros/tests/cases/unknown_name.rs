@@ -1,0 +1,5 @@
+const SHADER: &str = prefilter_macros::include_wgsl!("shaders/unknown_name.wgsl");
+
+fn main() {
+    println!("{SHADER}");
+}
