@@ -2,3 +2,5 @@
 #![deny(missing_docs)]
 
 pub mod demo;
+pub mod maps;
+pub mod scenes;

@@ -60,9 +60,9 @@ pub fn mean_by_parts(map: &PiecewiseLinear, mean: f64, deviation: f64) -> [f64; 
     let below = |at: f64| cumulative((at - mean) / deviation);
     let mut sum = map.knots.last().map_or([0.0; 4], |knot| knot.2);
     for (number, knot) in map.knots.iter().enumerate() {
-        let [jump] = [below(knot.0)];
-        for channel in 0..4 {
-            sum[channel] -= (knot.2[channel] - knot.1[channel]) * jump;
+        let jump = below(knot.0);
+        for (channel, total) in sum.iter_mut().enumerate() {
+            *total -= (knot.2[channel] - knot.1[channel]) * jump;
         }
         let Some(next) = map.knots.get(number + 1).filter(|next| next.0 > knot.0) else { continue };
         // Φ is constant beyond its reach: the panels need to be fine only where it rises.
@@ -70,8 +70,8 @@ pub fn mean_by_parts(map: &PiecewiseLinear, mean: f64, deviation: f64) -> [f64; 
         let panel = 0.5 * deviation;
         let [middle] = integrate(edges[0], edges[1], panel, |at| [below(at)]);
         let area = middle + (next.0 - edges[1]);
-        for channel in 0..4 {
-            sum[channel] -= (next.1[channel] - knot.2[channel]) * area / (next.0 - knot.0);
+        for (channel, total) in sum.iter_mut().enumerate() {
+            *total -= (next.1[channel] - knot.2[channel]) * area / (next.0 - knot.0);
         }
     }
     sum

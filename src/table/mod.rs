@@ -1,5 +1,8 @@
 //! Textures that a module reads: their texels, formats and measured errors.
 
+pub(crate) mod bake;
+pub mod grid;
+
 /// How a table's texels are stored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]

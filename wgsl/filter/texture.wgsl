@@ -58,3 +58,50 @@ fn texture_ramp(distance: f32, width: f32, deviation: f32) -> f32 {
     let excess = normal_excess(abs(distance) * r) - normal_excess(abs(distance - width) * r);
     return clamp((clamp(distance, 0.0, width) + s * excess) / width, 0.0, 1.0);
 }
+
+/// Mean of the map whose knots are the texels of a texture: rows of left colors, right colors and positions, by position.
+///
+/// Segment by segment and edge by edge, each a weight times a difference of colors, so that the knots may change without
+/// the text; the result is clamped to the knots' colors. Costs a ramp a segment and a step a hard edge.
+///
+/// Source: Heitz et al. 2014, equation 9, for a piecewise-linear map.
+/// Domain: mean in [-0.5, 1.5], deviation log in [1e-6, 0.5].
+/// Error: 8e-5 absolute; of the narrow ramps, for colors in [0, 1].
+fn texture_knots(mean: f32, deviation: f32, knots: texture_2d<f32>) -> vec4f {
+    let last = i32(textureDimensions(knots).x) - 1;
+    var left = textureLoad(knots, vec2i(0, 0), 0);
+    var position = textureLoad(knots, vec2i(0, 2), 0).x;
+    var sum = left;
+    var low = left;
+    var high = left;
+    for (var i = 0; i <= last; i++) {
+        let right = textureLoad(knots, vec2i(i, 1), 0);
+        let distance = mean - position;
+        if any(right != left) {
+            sum += (right - left) * texture_step(distance, deviation);
+        }
+        low = min(low, min(left, right));
+        high = max(high, max(left, right));
+        if i < last {
+            left = textureLoad(knots, vec2i(i + 1, 0), 0);
+            let next = textureLoad(knots, vec2i(i + 1, 2), 0).x;
+            sum += (left - right) * texture_ramp(distance, next - position, deviation);
+            position = next;
+        }
+    }
+    return clamp(sum, low, high);
+}
+
+/// Mean of a map from a table of means: over the mean from `low` to `high` and over the cube root of the deviation from
+/// 0 to `reach`. Values outside read the table's border.
+///
+/// Source: Heitz et al. 2014, section 4.2, with the deviation's axis by its cube root.
+/// Domain: mean in [-0.25, 1.25], deviation in [0, 0.5], low in [-0.25, -0.25], high in [1.25, 1.25], reach in [0.5, 0.5].
+/// Error: 4e-3 absolute; bilinear interpolation of 512 × 16 nodes for matplotlib's terrain.
+fn texture_table(
+    mean: f32, deviation: f32, low: f32, high: f32, reach: f32, table: texture_2d<f32>, table_sampler: sampler,
+) -> vec4f {
+    let size = vec2f(textureDimensions(table));
+    let at = vec2f(grid_linear(mean, low, high, size.x), grid_cube_root(deviation, reach, size.y));
+    return textureSampleLevel(table, table_sampler, at, 0.0);
+}

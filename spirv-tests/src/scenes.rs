@@ -1,0 +1,68 @@
+//! The scenes whose modules are snapshots, and go through every backend and validator.
+
+use prefilter::{Accuracy, ColorMap, Colors, Kernel, Ranges, Scene, Tier};
+
+use crate::maps::{named, random};
+
+type Result<T> = std::result::Result<T, Box<dyn std::error::Error + Send + Sync>>;
+
+/// Every scene by a name for its files.
+///
+/// # Errors
+/// None that the tests have seen: the maps are fixed.
+pub fn all() -> Result<Vec<(&'static str, Scene)>> {
+    Ok([constant_colors()?, dynamic_colors()?, edges_and_limits()?].concat())
+}
+
+const EXACT: Tier = Tier::ClosedForm(Kernel::Exact);
+const FAST: Tier = Tier::ClosedForm(Kernel::Fast);
+
+fn constant_colors() -> Result<Vec<(&'static str, Scene)>> {
+    let terrain =
+        || Ok::<_, Box<dyn std::error::Error + Send + Sync>>(Scene::new("terrain").texture(named("terrain")?));
+    let steps = || Ok::<_, Box<dyn std::error::Error + Send + Sync>>(Scene::new("strata").texture(named("steps6")?));
+    Ok(vec![
+        ("terrain_default", terrain()?),
+        ("terrain_naive", terrain()?.tier(Tier::Naive)),
+        ("terrain_paper", terrain()?.tier(Tier::Paper)),
+        ("terrain_table", terrain()?.tier(Tier::Table)),
+        ("terrain_fast", terrain()?.tier(FAST)),
+        ("terrain_exact", terrain()?.tier(EXACT)),
+        ("terrain_tight", terrain()?.accuracy(Accuracy::max_filter_error(3e-5).without_tables())),
+        ("steps_naive", steps()?.tier(Tier::Naive)),
+        ("steps_fast", steps()?.tier(FAST)),
+        ("steps_exact", steps()?.tier(EXACT)),
+        ("gist_earth_exact", Scene::new("earth").texture(named("gist_earth")?).tier(EXACT)),
+    ])
+}
+
+fn dynamic_colors() -> Result<Vec<(&'static str, Scene)>> {
+    let dynamic = |name: &str| {
+        Ok::<_, Box<dyn std::error::Error + Send + Sync>>(
+            Scene::new("material").texture(named(name)?).colors(Colors::Dynamic),
+        )
+    };
+    let four = ColorMap::gradient([(0.0, [0.1, 0.2, 0.3, 0.4]), (1.0, [0.9, 0.8, 0.7, 1.0])])?;
+    Ok(vec![
+        ("dynamic_knots", dynamic("terrain")?.tier(EXACT)),
+        ("dynamic_table", dynamic("terrain")?.tier(Tier::Table)),
+        ("dynamic_paper", dynamic("terrain")?.tier(Tier::Paper)),
+        ("four_channels", Scene::new("moss").texture(four.clone()).tier(FAST)),
+        ("four_channels_dynamic", Scene::new("moss").texture(four.clone()).colors(Colors::Dynamic).tier(EXACT)),
+        ("four_channels_table", Scene::new("moss").texture(four).tier(Tier::Table)),
+    ])
+}
+
+fn edges_and_limits() -> Result<Vec<(&'static str, Scene)>> {
+    let threshold = ColorMap::bands([0.02, 0.02, 0.02], [(0.5, [0.9, 0.85, 0.8])])?;
+    let flat = ColorMap::gradient([(0.5, [0.2, 0.4, 0.6])])?;
+    let meters = ColorMap::gradient([(-20.0, [0.0, 0.1, 0.4]), (0.0, [0.7, 0.7, 0.5]), (1800.0, [1.0, 1.0, 1.0])])?;
+    let narrow = ColorMap::gradient([(0.3, [0.0, 0.0, 0.0]), (0.300_01, [1.0, 0.5, 0.2]), (0.8, [0.3, 0.5, 0.9])])?;
+    Ok(vec![
+        ("threshold", Scene::new("cutout").texture(threshold)),
+        ("flat", Scene::new("plain").texture(flat)),
+        ("meters", Scene::new("relief").texture(meters).ranges(Ranges { mean: (-50.0, 2000.0), deviation: 500.0 })),
+        ("narrow_ramp", Scene::new("crease").texture(narrow).tier(EXACT)),
+        ("hard_random", Scene::new("mixed").texture(random(8, true, 7)?).tier(EXACT)),
+    ])
+}

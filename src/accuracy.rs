@@ -1,0 +1,121 @@
+//! How close a filter must be, over which values, and what is known of how close it is.
+
+use crate::Error;
+
+/// The values over which a scene's bounds hold, in the unit of the color map's positions.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Ranges {
+    /// The means that occur. Default: −0.25 to 1.25, a unit range with a quarter of padding on either side.
+    pub mean: (f32, f32),
+    /// The largest deviation that occurs. Default: 0.5, the largest of any value in [0, 1].
+    pub deviation: f32,
+}
+
+impl Default for Ranges {
+    fn default() -> Self {
+        Self { mean: (-0.25, 1.25), deviation: 0.5 }
+    }
+}
+
+impl Ranges {
+    pub(crate) fn check(&self) -> Result<(), Error> {
+        let (low, high) = self.mean;
+        let fine = |value: f32| value.abs() <= 65504.0;
+        for (what, value) in [("the low end of the means", low), ("the high end of the means", high)] {
+            if !fine(value) {
+                return Err(refused(what, value, "a number from -65504 to 65504"));
+            }
+        }
+        if high - low < 1e-3 {
+            return Err(refused("the high end of the means", high, &format!("at least 0.001 above the low end {low}")));
+        }
+        if !(self.deviation >= 1e-3 && fine(self.deviation)) {
+            return Err(refused("the largest deviation", self.deviation, "0.001 to 65504"));
+        }
+        Ok(())
+    }
+}
+
+/// The largest filter error that a scene accepts, and the means allowed to keep it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Accuracy {
+    /// The largest error of a channel, in color units. Default: 1/255.
+    pub max_filter_error: f32,
+    /// Whether tables may be used, which cost a binding. Default: yes.
+    pub tables: bool,
+}
+
+impl Default for Accuracy {
+    fn default() -> Self {
+        Self::max_filter_error(1.0 / 255.0)
+    }
+}
+
+impl Accuracy {
+    /// At most this error of a channel, by whatever means.
+    pub fn max_filter_error(error: f32) -> Self {
+        Self { max_filter_error: error, tables: true }
+    }
+
+    /// The same, without tables.
+    #[must_use]
+    pub fn without_tables(self) -> Self {
+        Self { tables: false, ..self }
+    }
+
+    pub(crate) fn check(&self) -> Result<(), Error> {
+        if self.max_filter_error > 0.0 && self.max_filter_error.is_finite() {
+            return Ok(());
+        }
+        Err(refused("the largest filter error", self.max_filter_error, "a positive number"))
+    }
+}
+
+/// What is known of the largest error of a channel over a scene's [`Ranges`], in color units.
+///
+/// The error is against the integral that the filter approximates: the mean of the map over a normal variable.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum Bound {
+    /// Summed from the promises of the shelf functions, which the crate's tests enforce.
+    Guaranteed(f32),
+    /// Twice the largest error that was measured between the texels of a table.
+    Estimated(f32),
+}
+
+impl Bound {
+    /// The bound's size, whichever its kind.
+    pub fn value(self) -> f32 {
+        match self {
+            Self::Guaranteed(value) | Self::Estimated(value) => value,
+        }
+    }
+}
+
+impl std::fmt::Display for Bound {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Guaranteed(value) => write!(formatter, "{value:.1e}, guaranteed"),
+            Self::Estimated(value) => write!(formatter, "{value:.1e}, twice the measured"),
+        }
+    }
+}
+
+/// The absolute error that a shelf function promises in its contract; infinite for one that promises none.
+pub(crate) fn promise(function: &str) -> f64 {
+    let shelf = prefilter_wgsl::mentioned(function);
+    let declaration = shelf.iter().find(|(_, declaration)| declaration.name == function);
+    declaration.and_then(|(_, declaration)| stated(&declaration.documentation())).unwrap_or(f64::INFINITY)
+}
+
+fn stated(documentation: &str) -> Option<f64> {
+    let line = documentation.lines().find_map(|line| line.strip_prefix("Error:"))?;
+    let (number, _) = line.split_once("absolute")?;
+    number.trim().parse().ok()
+}
+
+fn refused(what: &str, value: f32, allowed: &str) -> Error {
+    Error::Value { what: what.to_owned(), value: f64::from(value), allowed: allowed.to_owned() }
+}

@@ -1,0 +1,252 @@
+//! C0: a color map over a value of which a pixel covers a normal distribution.
+//!
+//! Source: Heitz, Nowrouzezahrai, Poulin and Neyret 2014, "Filtering Non-Linear Transfer Functions on Surfaces",
+//! section 4, equation 9.
+
+use super::{Kernel, Tier};
+use crate::accuracy::{promise, Bound, Ranges};
+use crate::table::bake::bake;
+use crate::table::grid::{Axis, Spacing};
+use crate::table::{Format, Level, Sampling, Table};
+use crate::transfer::color_map::{ColorMap, Colors, Knot};
+use crate::transfer::pieces::Pieces;
+use crate::Error;
+
+/// Segments narrower than this part of the means' range become ramps: a difference of kinks loses 6e-8/width.
+const NARROW: f32 = 0.005;
+
+/// Beyond this many deviations from the outermost knots a mean is constant to f32.
+const REACH: f32 = 8.0;
+
+/// A C0 export before it has a name: the body's lines, the tables that it reads, and its bound.
+pub(crate) struct Filter {
+    /// Statements that end in a `return` of a color.
+    pub body: String,
+    /// What the body reads, in parameter order.
+    pub tables: Vec<Table>,
+    /// Against the mean of the map over a normal variable.
+    pub bound: Bound,
+    /// Iterations of the loop in the shelf, where there is one.
+    pub trips: usize,
+}
+
+/// The filter of one tier.
+///
+/// # Errors
+/// A tier that does not go with the colors.
+pub(crate) fn filter(map: &ColorMap, colors: Colors, tier: Tier, ranges: Ranges) -> Result<Filter, Error> {
+    match (tier, colors) {
+        (Tier::Paper, _) => Ok(paper(map, ranges)),
+        (Tier::Table, _) => Ok(table(map, ranges)),
+        (Tier::Naive, Colors::Constant) => Ok(naive(map, ranges)),
+        (Tier::ClosedForm(kernel), Colors::Constant) => Ok(closed_form(map, kernel, ranges)),
+        (Tier::ClosedForm(Kernel::Exact), Colors::Dynamic) => Ok(knots(map, ranges)),
+        (Tier::Naive | Tier::ClosedForm(Kernel::Fast), Colors::Dynamic) => Err(Error::Conflict(format!(
+            "{tier} needs constant colors; dynamic colors go with the exact closed form and the tables"
+        ))),
+    }
+}
+
+fn narrow(ranges: Ranges) -> f32 {
+    NARROW * (ranges.mean.1 - ranges.mean.0)
+}
+
+/// `vec3f` or `vec4f`.
+pub(crate) fn color_type(map: &ColorMap) -> &'static str {
+    if map.channels() == 3 {
+        "vec3f"
+    } else {
+        "vec4f"
+    }
+}
+
+fn swizzle(map: &ColorMap) -> &'static str {
+    if map.channels() == 3 {
+        ".xyz"
+    } else {
+        ""
+    }
+}
+
+/// A color as WGSL, one number where the channels agree: every constructor of a vector takes a scalar.
+fn color(map: &ColorMap, value: [f32; 4]) -> String {
+    let channels = &value[..map.channels()];
+    if channels.iter().all(|channel| channel.to_bits() == channels[0].to_bits()) {
+        return format!("{}({})", color_type(map), number(channels[0]));
+    }
+    let list: Vec<String> = channels.iter().map(|&channel| number(channel)).collect();
+    format!("{}({})", color_type(map), list.join(", "))
+}
+
+/// A float literal that reads back to the same bits; abstract floats need a point or an exponent.
+pub(crate) fn number(value: f32) -> String {
+    let value = if value == 0.0 { 0.0 } else { value };
+    format!("{value:?}")
+}
+
+fn returned(map: &ColorMap, sum: &str) -> String {
+    let (low, high) = map.hull();
+    format!("    return clamp({sum}, {}, {});\n", color(map, low), color(map, high))
+}
+
+fn naive(map: &ColorMap, ranges: Ranges) -> Filter {
+    let pieces = Pieces::new(map, narrow(ranges));
+    let mut body = format!("    var c = {};\n", color(map, pieces.base));
+    for kink in &pieces.kinks {
+        body += &format!("    c += {} * max({}, 0.0);\n", color(map, kink.change), distance("mean", kink.position));
+    }
+    for ramp in &pieces.ramps {
+        let (at, width) = (distance("mean", ramp.position), number(ramp.width));
+        body += &format!("    c += {} * clamp(({at}) / {width}, 0.0, 1.0);\n", color(map, ramp.change));
+    }
+    for step in &pieces.steps {
+        let edge = number(step.position);
+        body += &format!("    c += select({}, {}, mean >= {edge});\n", color(map, [0.0; 4]), color(map, step.change));
+    }
+    body += &returned(map, "c");
+    Filter { body, tables: Vec::new(), bound: naive_bound(map, ranges), trips: 1 }
+}
+
+/// A map turns a normal variable's mean distance from its mean, σ√(2/π), into at most its steepest slope times that, and
+/// never leaves its hull.
+fn naive_bound(map: &ColorMap, ranges: Ranges) -> Bound {
+    let (low, high) = map.hull();
+    let width = low.iter().zip(high).map(|(low, high)| high - low).fold(0.0, f32::max);
+    let jumps = map.knots().iter().any(|knot| knot.left != knot.right);
+    let steepest = map.knots().windows(2).map(|pair| {
+        let rise = pair[0].right.iter().zip(pair[1].left).map(|(from, to)| (to - from).abs()).fold(0.0, f32::max);
+        rise / (pair[1].position - pair[0].position)
+    });
+    let slope = if jumps { f32::INFINITY } else { steepest.fold(0.0, f32::max) };
+    let spread = ranges.deviation * (2.0 / std::f32::consts::PI).sqrt();
+    Bound::Guaranteed(if slope == 0.0 { 0.0 } else { width.min(slope * spread) })
+}
+
+/// `mean - 0.45` or `mean + 0.45`.
+fn distance(mean: &str, position: f32) -> String {
+    if position == 0.0 {
+        return mean.to_owned();
+    }
+    let sign = if position < 0.0 { '+' } else { '-' };
+    format!("{mean} {sign} {}", number(position.abs()))
+}
+
+fn closed_form(map: &ColorMap, kernel: Kernel, ranges: Ranges) -> Filter {
+    let pieces = Pieces::new(map, narrow(ranges));
+    if pieces.kinks.is_empty() && pieces.ramps.is_empty() && pieces.steps.is_empty() {
+        let body = format!("    return {};\n", color(map, pieces.base));
+        return Filter { body, tables: Vec::new(), bound: Bound::Guaranteed(0.0), trips: 1 };
+    }
+    let suffix = match kernel {
+        Kernel::Fast => "_fast",
+        Kernel::Exact => "",
+    };
+    // Means and deviations beyond the ranges, infinite ones included, must not multiply slopes: far outside the knots the
+    // map is constant anyway, and a deviation beyond the declared one counts as that.
+    let knots = map.knots();
+    let far = REACH * ranges.deviation;
+    let ends = (number(knots[0].position - far), number(knots[knots.len() - 1].position + far));
+    let mut body = format!("    let m = clamp(mean, {}, {});\n", ends.0, ends.1);
+    body += &format!("    let s = clamp(deviation, 0.0, {});\n", number(ranges.deviation));
+    body += &format!("    var c = {};\n", color(map, pieces.base));
+    for kink in &pieces.kinks {
+        let at = distance("m", kink.position);
+        body += &format!("    c += {} * texture_kink{suffix}({at}, s);\n", color(map, kink.change));
+    }
+    for ramp in &pieces.ramps {
+        let (at, width) = (distance("m", ramp.position), number(ramp.width));
+        body += &format!("    c += {} * texture_ramp({at}, {width}, s);\n", color(map, ramp.change));
+    }
+    for step in &pieces.steps {
+        let at = distance("m", step.position);
+        body += &format!("    c += {} * texture_step{suffix}({at}, s);\n", color(map, step.change));
+    }
+    body += &returned(map, "c");
+    Filter { body, tables: Vec::new(), bound: closed_form_bound(map, &pieces, suffix, ranges), trips: 1 }
+}
+
+/// The sum of the terms' promises, weighted by what multiplies them, and the rounding of the sum.
+///
+/// Kinks scale with the unit of their arguments: E[max(λf − λt, 0)] = λ E[max(f − t, 0)]. The shelf promises an error for
+/// distances up to 1.5 and deviations up to 0.5, and λ makes those of the scene's ranges.
+fn closed_form_bound(map: &ColorMap, pieces: &Pieces, suffix: &str, ranges: Ranges) -> Bound {
+    let reach = farthest(map, ranges);
+    let scale = (reach / 1.5).max(f64::from(ranges.deviation) / 0.5).max(1.0);
+    let kink = promise(&format!("texture_kink{suffix}")) * scale + reach * ROUNDING;
+    let (ramp, step) = (promise("texture_ramp"), promise(&format!("texture_step{suffix}")));
+    let bound = |channel: usize| {
+        let size = |change: [f32; 4]| f64::from(change[channel].abs());
+        pieces.kinks.iter().map(|piece| size(piece.change) * kink).sum::<f64>()
+            + pieces.ramps.iter().map(|piece| size(piece.change) * ramp).sum::<f64>()
+            + pieces.steps.iter().map(|piece| size(piece.change) * step).sum::<f64>()
+    };
+    Bound::Guaranteed((0..4).map(bound).fold(0.0, f64::max) as f32)
+}
+
+/// Two roundings of a term, relative to the term.
+const ROUNDING: f64 = 1.2e-7;
+
+/// The largest distance of a mean in the ranges from a knot.
+fn farthest(map: &ColorMap, ranges: Ranges) -> f64 {
+    let (low, high) = ranges.mean;
+    let knots = map.knots().iter().map(|knot| f64::from(knot.position));
+    knots.map(|at| (f64::from(high) - at).max(at - f64::from(low))).fold(0.0, f64::max)
+}
+
+fn knots(map: &ColorMap, ranges: Ranges) -> Filter {
+    let knots = map.knots();
+    let line = |texel: fn(&Knot) -> [f32; 4]| knots.iter().flat_map(texel);
+    let texels = line(|knot| knot.left)
+        .chain(line(|knot| knot.right))
+        .chain(line(|knot| [knot.position, 0.0, 0.0, 0.0]))
+        .collect();
+    let table = Table {
+        name: "knots".to_owned(),
+        format: Format::Rgba32Float,
+        sampling: Sampling::Loaded,
+        levels: vec![Level { width: knots.len() as u32, height: 3, texels }],
+        error: 0.0,
+    };
+    let reach = number(ranges.deviation);
+    let body = format!("    return texture_knots(mean, clamp(deviation, 0.0, {reach}), knots){};\n", swizzle(map));
+    Filter { body, tables: vec![table], bound: knots_bound(map), trips: knots.len() }
+}
+
+/// Each segment and each edge is a weight times a difference of colors, so the weights' promises are enough.
+fn knots_bound(map: &ColorMap) -> Bound {
+    let (ramp, step) = (promise("texture_ramp"), promise("texture_step"));
+    let change = |from: [f32; 4], to: [f32; 4], channel: usize| f64::from((to[channel] - from[channel]).abs());
+    let bound = |channel: usize| {
+        let edges = map.knots().iter().map(|knot| change(knot.left, knot.right, channel) * (step + ROUNDING));
+        let segments =
+            map.knots().windows(2).map(|pair| change(pair[0].right, pair[1].left, channel) * (ramp + ROUNDING));
+        edges.sum::<f64>() + segments.sum::<f64>()
+    };
+    Bound::Guaranteed((0..4).map(bound).fold(0.0, f64::max) as f32)
+}
+
+fn table(map: &ColorMap, ranges: Ranges) -> Filter {
+    let (low, high) = ranges.mean;
+    let means = Axis { low: low.into(), high: high.into(), count: 512, spacing: Spacing::Linear };
+    let deviations = Axis { low: 0.0, high: ranges.deviation.into(), count: 16, spacing: Spacing::CubeRoot };
+    let baked = bake("table", &map.reference(), means, deviations, ranges.mean);
+    let (low, high, reach) = (number(low), number(high), number(ranges.deviation));
+    let body = format!(
+        "    return texture_table(mean, deviation, {low}, {high}, {reach}, table, table_sampler){};\n",
+        swizzle(map)
+    );
+    Filter { body, bound: Bound::Estimated(2.0 * baked.error), tables: vec![baked], trips: 1 }
+}
+
+/// The paper's recipe: 256 texels over means in [0, 1] by 256 over deviations, addressed as the texture is.
+fn paper(map: &ColorMap, ranges: Ranges) -> Filter {
+    let means = Axis { low: 0.0, high: 1.0, count: 256, spacing: Spacing::Centers };
+    let deviations = Axis { low: 0.0, high: ranges.deviation.into(), count: 256, spacing: Spacing::Centers };
+    let baked = bake("table", &map.reference(), means, deviations, ranges.mean);
+    let reach = number(ranges.deviation);
+    let body = format!(
+        "    return textureSampleLevel(table, table_sampler, vec2f(mean, deviation / {reach}), 0.0){};\n",
+        swizzle(map)
+    );
+    Filter { body, bound: Bound::Estimated(2.0 * baked.error), tables: vec![baked], trips: 1 }
+}

@@ -1,0 +1,150 @@
+//! Validated text, and the other languages that naga writes from it.
+
+use std::sync::Arc;
+
+use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
+
+use crate::module::Module;
+use crate::Error;
+
+/// WGSL that naga has parsed and validated without any capability flag.
+#[derive(Clone, Debug)]
+pub struct Shader {
+    wgsl: String,
+    parsed: Arc<(naga::Module, ModuleInfo)>,
+}
+
+impl Shader {
+    /// Parses and validates a whole text; `path` names it in messages.
+    pub(crate) fn new(path: &str, wgsl: String) -> Result<Self, Error> {
+        let module = naga::front::wgsl::parse_str(&wgsl).map_err(|error| {
+            let place = error.location(&wgsl);
+            refused(path, place, &with_hint(&error.emit_to_string_with_path(&wgsl, path)))
+        })?;
+        let info =
+            Validator::new(ValidationFlags::all(), Capabilities::empty()).validate(&module).map_err(|error| {
+                let place = error.location(&wgsl);
+                refused(path, place, &error.emit_to_string_with_path(&wgsl, path))
+            })?;
+        Ok(Self { wgsl, parsed: Arc::new((module, info)) })
+    }
+
+    /// The text.
+    pub fn wgsl(&self) -> &str {
+        &self.wgsl
+    }
+
+    pub(crate) fn parsed(&self) -> (&naga::Module, &ModuleInfo) {
+        (&self.parsed.0, &self.parsed.1)
+    }
+
+    /// SPIR-V 1.3, for Vulkan 1.1 and later where the text has entry points.
+    ///
+    /// # Errors
+    /// What naga's writer refuses.
+    pub fn spirv(&self) -> Result<Vec<u32>, Error> {
+        let (module, info) = self.parsed();
+        let options = naga::back::spv::Options { lang_version: (1, 3), ..Default::default() };
+        naga::back::spv::write_vec(module, info, &options, None).map_err(|error| backend("SPIR-V", &error))
+    }
+
+    /// GLSL of one entry point: `version` 300, 310 or 320 where `es`, else 330 to 460.
+    ///
+    /// # Errors
+    /// An unknown version or entry point; what the language cannot express, such as compute before 310 es.
+    #[cfg(feature = "glsl")]
+    pub fn glsl(&self, entry: &str, version: u16, es: bool) -> Result<String, Error> {
+        use naga::back::glsl;
+        let (module, info) = self.parsed();
+        let Some(point) = module.entry_points.iter().find(|point| point.name == entry) else {
+            let names: Vec<&str> = module.entry_points.iter().map(|point| point.name.as_str()).collect();
+            let message = format!("there is no entry point `{entry}`; there is {}", names.join(", "));
+            return Err(Error::Backend { language: "GLSL", message });
+        };
+        let version =
+            if es { glsl::Version::Embedded { version, is_webgl: false } } else { glsl::Version::Desktop(version) };
+        let options = glsl::Options { version, ..Default::default() };
+        let pipeline =
+            glsl::PipelineOptions { shader_stage: point.stage, entry_point: entry.to_owned(), multiview: None };
+        let mut text = String::new();
+        glsl::Writer::new(&mut text, module, info, &options, &pipeline, naga::proc::BoundsCheckPolicies::default())
+            .and_then(|mut writer| writer.write())
+            .map_err(|error| backend("GLSL", &error))?;
+        Ok(text)
+    }
+
+    /// HLSL of every entry point, shader model 5.1.
+    ///
+    /// # Errors
+    /// What naga's writer refuses.
+    #[cfg(feature = "hlsl")]
+    pub fn hlsl(&self) -> Result<String, Error> {
+        use naga::back::hlsl;
+        let (module, info) = self.parsed();
+        let options = hlsl::Options { fake_missing_bindings: true, ..Default::default() };
+        let pipeline = hlsl::PipelineOptions::default();
+        let mut text = String::new();
+        hlsl::Writer::new(&mut text, &options, &pipeline)
+            .write(module, info, None)
+            .map_err(|error| backend("HLSL", &error))?;
+        Ok(text)
+    }
+
+    /// Metal's language, version 2.0, of every entry point.
+    ///
+    /// # Errors
+    /// What naga's writer refuses.
+    #[cfg(feature = "msl")]
+    pub fn msl(&self) -> Result<String, Error> {
+        use naga::back::msl;
+        let (module, info) = self.parsed();
+        let options = msl::Options { lang_version: (2, 0), fake_missing_bindings: true, ..Default::default() };
+        let written = msl::write_string(module, info, &options, &msl::PipelineOptions::default());
+        written.map(|(text, _)| text).map_err(|error| backend("MSL", &error))
+    }
+
+    /// The validated module and its analysis; tied to naga's version, unlike the text.
+    #[cfg(feature = "naga")]
+    pub fn naga(&self) -> (&naga::Module, &ModuleInfo) {
+        self.parsed()
+    }
+}
+
+/// Your text with modules behind it, and behind them the shelf functions that any of them mentions, validated.
+///
+/// # Errors
+/// As [`Module::link`].
+pub fn link(modules: &[&Module], text: &str) -> Result<Shader, Error> {
+    let mut whole = text.to_owned();
+    for module in modules {
+        if !whole.is_empty() && !whole.ends_with('\n') {
+            whole.push('\n');
+        }
+        if !whole.is_empty() {
+            whole.push('\n');
+        }
+        whole.push_str(&module.glue);
+    }
+    let path = "shader.wgsl";
+    let linked = prefilter_wgsl::link(&whole).map_err(|collision| Error::Collision { path: path.into(), collision })?;
+    Shader::new(path, linked)
+}
+
+/// naga's message with the nearest shelf name below an unknown one.
+fn with_hint(message: &str) -> String {
+    let unknown =
+        message.split("no definition in scope for identifier: `").nth(1).and_then(|rest| rest.split('`').next());
+    match unknown.and_then(prefilter_wgsl::nearest) {
+        Some(near) => format!("{}\n= help: did you mean `{near}`?", message.trim_end()),
+        None => message.trim_end().to_owned(),
+    }
+}
+
+fn refused(path: &str, place: Option<naga::SourceLocation>, message: &str) -> Error {
+    let place = place.map_or(String::new(), |place| format!(":{}:{}", place.line_number, place.line_position));
+    Error::Shader { message: format!("{path}{place}: {message}") }
+}
+
+fn backend(language: &'static str, error: &dyn std::error::Error) -> Error {
+    Error::Backend { language, message: error.to_string() }
+}

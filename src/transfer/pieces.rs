@@ -1,0 +1,74 @@
+//! A color map as a sum of kinks, narrow ramps and steps: the terms whose means the shelf knows in closed form.
+
+use super::color_map::ColorMap;
+
+/// Color below the first knot, and what is added from each position on.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Pieces {
+    /// The color below the first knot.
+    pub base: [f32; 4],
+    /// Slope changes: color a unit.
+    pub kinks: Vec<Kink>,
+    /// Segments too narrow for a difference of kinks.
+    pub ramps: Vec<Ramp>,
+    /// Hard edges.
+    pub steps: Vec<Step>,
+}
+
+/// `change · max(f − position, 0)`
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Kink {
+    pub position: f32,
+    pub change: [f32; 4],
+}
+
+/// `change · clamp((f − position)/width, 0, 1)`
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Ramp {
+    pub position: f32,
+    pub width: f32,
+    pub change: [f32; 4],
+}
+
+/// `change` where f > position
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Step {
+    pub position: f32,
+    pub change: [f32; 4],
+}
+
+impl Pieces {
+    /// The pieces of a map; segments narrower than `narrow` become ramps.
+    pub fn new(map: &ColorMap, narrow: f32) -> Self {
+        let knots = map.knots();
+        let mut pieces = Self { base: knots[0].left, kinks: Vec::new(), ramps: Vec::new(), steps: Vec::new() };
+        let mut slope = [0.0f64; 4]; // that the rounded kinks so far add up to
+        for (index, knot) in knots.iter().enumerate() {
+            let jump = difference(knot.left, knot.right);
+            if jump != [0.0; 4] {
+                pieces.steps.push(Step { position: knot.position, change: jump });
+            }
+            let mut target = [0.0f64; 4];
+            if let Some(next) = knots.get(index + 1) {
+                let rise = difference(knot.right, next.left);
+                let width = f64::from(next.position) - f64::from(knot.position);
+                if width >= f64::from(narrow) {
+                    target = rise.map(|channel| f64::from(channel) / width);
+                } else if rise != [0.0; 4] {
+                    pieces.ramps.push(Ramp { position: knot.position, width: width as f32, change: rise });
+                }
+            }
+            // Each change makes up for the rounding of those before it: errors of the slope do not add up along the map.
+            let change: [f32; 4] = std::array::from_fn(|channel| (target[channel] - slope[channel]) as f32);
+            if change != [0.0; 4] {
+                pieces.kinks.push(Kink { position: knot.position, change });
+                slope = std::array::from_fn(|channel| slope[channel] + f64::from(change[channel]));
+            }
+        }
+        pieces
+    }
+}
+
+fn difference(from: [f32; 4], to: [f32; 4]) -> [f32; 4] {
+    std::array::from_fn(|channel| (f64::from(to[channel]) - f64::from(from[channel])) as f32)
+}

@@ -1,0 +1,28 @@
+//! Serialization of color maps through their parts, so that a map read back has passed every check.
+
+use super::color_map::{ColorMap, Knot};
+use crate::Error;
+
+#[derive(serde::Serialize, serde::Deserialize)]
+pub(super) struct Parts {
+    channels: usize,
+    knots: Vec<Knot>,
+}
+
+impl From<ColorMap> for Parts {
+    fn from(map: ColorMap) -> Self {
+        Self { channels: map.channels, knots: map.knots }
+    }
+}
+
+impl TryFrom<Parts> for ColorMap {
+    type Error = Error;
+
+    fn try_from(parts: Parts) -> Result<Self, Error> {
+        if parts.channels != 3 && parts.channels != 4 {
+            let what = "the channels of a color".into();
+            return Err(Error::Size { what, count: parts.channels, allowed: "3 or 4".into() });
+        }
+        Self::from_knots(parts.knots, parts.channels)
+    }
+}
