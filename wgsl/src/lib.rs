@@ -34,4 +34,11 @@ macro_rules! shelf {
 }
 
 /// Every file of the shelf, rooms in the order of their dependencies, files by name.
-pub const FILES: &[File] = shelf!["math/grid.wgsl", "math/normal.wgsl", "filter/texture.wgsl",];
+pub const FILES: &[File] = shelf![
+    "math/grid.wgsl",
+    "math/normal.wgsl",
+    "footprint/footprint.wgsl",
+    "footprint/taps.wgsl",
+    "driver/moments.wgsl",
+    "filter/texture.wgsl",
+];
