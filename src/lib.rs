@@ -3,6 +3,7 @@
 
 mod accuracy;
 mod cost;
+pub mod driver;
 mod error;
 pub mod filter;
 #[cfg(feature = "gpu")]
@@ -19,6 +20,9 @@ pub mod transfer;
 
 pub use accuracy::{Accuracy, Bound, Ranges};
 pub use cost::Cost;
+pub use driver::moment_mipmap::{Edge, MomentMipmap};
+pub use driver::moments::{Moments, Pixel, Taps};
+pub use driver::Driver;
 pub use error::Error;
 pub use filter::{Kernel, Tier};
 pub use module::{Export, Module, Stage};

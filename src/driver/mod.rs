@@ -1,0 +1,40 @@
+//! What a footprint knows of the function that drives a material: its mean and deviation there.
+
+pub mod moment_mipmap;
+pub mod moments;
+
+use moments::Moments;
+
+use crate::Error;
+
+/// Where a scene's mean and deviation come from; a scene without one takes them as arguments.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
+pub enum Driver {
+    /// A tabulated function: an image.
+    Moments(Moments),
+}
+
+#[allow(dead_code, reason = "scenes do not take drivers yet")]
+impl Driver {
+    /// Whether the description can be used.
+    ///
+    /// # Errors
+    /// [`Error::Value`] for a number outside its range.
+    pub(crate) fn check(&self) -> Result<(), Error> {
+        match self {
+            Self::Moments(moments) => moments.check(),
+        }
+    }
+
+    /// The WGSL of `NAME_color`, which calls `NAME_texture`.
+    ///
+    /// `extra_parameters` and `extra_arguments` are empty or begin with a comma: what `NAME_texture` takes after the
+    /// deviation.
+    pub(crate) fn glue(&self, name: &str, color_type: &str, extra_parameters: &str, extra_arguments: &str) -> String {
+        match self {
+            Self::Moments(moments) => moments::glue(name, color_type, extra_parameters, extra_arguments, moments),
+        }
+    }
+}

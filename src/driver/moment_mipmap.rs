@@ -1,0 +1,228 @@
+//! Pyramids of mean and deviation of an image.
+
+use crate::table::{Format, Level, Sampling, Table};
+use crate::Error;
+
+/// What continues an image beyond its edges.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum Edge {
+    /// The texel at the edge, or the image mirrored there.
+    #[default]
+    Clamp,
+    /// The image again.
+    Repeat,
+}
+
+/// Mean and deviation of an image's bilinear reconstruction, at every size from the image's own down to one texel.
+///
+/// Level 0 holds the image itself: points, whose deviation is 0. A texel of a further level holds the mean and the
+/// deviation of the bilinear reconstruction over the area that the texel covers, and every level covers the whole
+/// image. Sizes halve and round down as the graphics interfaces want it; where they do not halve evenly a texel covers
+/// parts of texels, each weighted by the area covered. The mean of every level is therefore the mean of the image.
+///
+/// Moments are central and combined by the law of total variance in f64; deviations, not variances, are stored, so
+/// that small ones survive in 16 bits.
+///
+/// ```
+/// use prefilter::driver::moment_mipmap::{Edge, MomentMipmap};
+/// use prefilter::table::Format;
+///
+/// let stripes: Vec<f32> = (0..64 * 64).map(|texel| (texel / 4 % 2) as f32).collect();
+/// let moments = MomentMipmap::new(64, 64, &stripes, Edge::Repeat)?;
+/// let table = moments.table("stripes", Format::Rg32Float)?;
+/// let [mean, deviation] = moments.moments();
+/// assert_eq!((table.levels.len(), mean), (7, 0.5));
+/// assert!(0.4 < deviation && deviation < 0.5); // the reconstruction ramps from stripe to stripe
+/// # Ok::<(), prefilter::Error>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct MomentMipmap {
+    levels: Vec<Level>,
+    values: (f32, f32),
+}
+
+/// Largest side of an image.
+const WIDEST: u32 = 16_384;
+/// Largest value: squares of differences stay far inside f32.
+const LARGEST: f32 = 1e15;
+
+/// Mean and variance of every texel of a level.
+struct Grid {
+    width: usize,
+    height: usize,
+    moments: Vec<[f64; 2]>,
+}
+
+impl MomentMipmap {
+    /// The pyramid of an image given row by row.
+    ///
+    /// Takes time proportional to the number of texels where sizes halve evenly, and to that times the number of levels
+    /// where they do not.
+    ///
+    /// # Errors
+    /// [`Error::Size`] where a side is 0 or above 16384 or the number of values is not width times height;
+    /// [`Error::Value`] for a value that is no number or beyond ±1e15.
+    pub fn new(width: u32, height: u32, values: &[f32], edge: Edge) -> Result<Self, Error> {
+        for (side, size) in [("width", width), ("height", height)] {
+            if !(1..=WIDEST).contains(&size) {
+                let (what, allowed) = (format!("the image's {side}"), format!("1 to {WIDEST}"));
+                return Err(Error::Size { what, count: size as usize, allowed });
+            }
+        }
+        let (wide, high) = (width as usize, height as usize);
+        if values.len() != wide * high {
+            let allowed = format!("{}, width times height", wide * high);
+            return Err(Error::Size { what: "the image's number of values".into(), count: values.len(), allowed });
+        }
+        // Written so that NaN is refused.
+        if let Some(at) = values.iter().position(|value| !(value.abs() <= LARGEST)) {
+            let what = format!("the image's value at ({}, {})", at % wide, at / wide);
+            return Err(Error::Value {
+                what,
+                value: values[at].into(),
+                allowed: format!("-{LARGEST:e} to {LARGEST:e}"),
+            });
+        }
+        let least = values.iter().copied().fold(f32::INFINITY, f32::min);
+        let most = values.iter().copied().fold(f32::NEG_INFINITY, f32::max);
+
+        let points = values.iter().flat_map(|&value| [value, 0.0]).collect();
+        let mut levels = vec![Level { width, height, texels: points }];
+        let base = Grid::reconstruction(wide, high, values, edge);
+        let mut above: Option<Grid> = None;
+        let (mut w, mut h) = (wide, high);
+        while w > 1 || h > 1 {
+            (w, h) = ((w / 2).max(1), (h / 2).max(1));
+            // Texels that nest in the level above need not go back to the image.
+            let nested = above.take().filter(|grid| grid.width % w == 0 && grid.height % h == 0);
+            let grid = nested.as_ref().unwrap_or(&base).shrunk(w, h);
+            let texels = grid.moments.iter().flat_map(|&[mean, variance]| [mean as f32, variance.sqrt() as f32]);
+            levels.push(Level { width: w as u32, height: h as u32, texels: texels.collect() });
+            above = Some(grid);
+        }
+        Ok(Self { levels, values: (least, most) })
+    }
+
+    /// The levels, the image first: mean and deviation of each texel.
+    pub fn levels(&self) -> &[Level] {
+        &self.levels
+    }
+
+    /// The image's smallest and largest value: no mean is outside.
+    pub fn range(&self) -> (f32, f32) {
+        self.values
+    }
+
+    /// The largest deviation that a footprint can have: half the range.
+    pub fn largest_deviation(&self) -> f32 {
+        0.5 * (self.values.1 - self.values.0)
+    }
+
+    /// Mean and deviation of the whole image.
+    pub fn moments(&self) -> [f32; 2] {
+        match self.levels.last().map(|level| level.texels.as_slice()) {
+            Some(&[mean, deviation]) => [mean, deviation],
+            // Not reached: the last level is one texel of two channels.
+            _ => [0.0; 2],
+        }
+    }
+
+    /// The pyramid as a texture: mean and deviation in the first two channels, further ones 0.
+    ///
+    /// [`Format::Rg32Float`] keeps every digit. [`Format::Rg16Float`] halves the memory: eleven bits of the largest value,
+    /// which [`Table::error`] states; it serves where the values' distance from 0 is of the order of their range. The
+    /// shelf reads texels at their centers, so that no format needs to be filterable.
+    ///
+    /// # Errors
+    /// [`Error::Value`] where a value does not fit 16 bits.
+    pub fn table(&self, name: &str, format: Format) -> Result<Table, Error> {
+        let halves = matches!(format, Format::Rg16Float | Format::Rgba16Float);
+        let largest = self.values.0.abs().max(self.values.1.abs());
+        if halves && largest > half::f16::MAX.to_f32() {
+            let what = format!("the largest value of the image for `{name}`");
+            return Err(Error::Value { what, value: largest.into(), allowed: format!("up to {}", half::f16::MAX) });
+        }
+        let error = |value: &f32| (half::f16::from_f32(*value).to_f32() - value).abs();
+        let stored = self.levels.iter().flat_map(|level| &level.texels);
+        let error = if halves { stored.map(error).fold(0.0, f32::max) } else { 0.0 };
+        let further = vec![0.0; format.channels() - 2];
+        let widen = |level: &Level| Level {
+            texels: level.texels.chunks(2).flat_map(|texel| [texel, &further].concat()).collect(),
+            ..*level
+        };
+        let levels = self.levels.iter().map(widen).collect();
+        Ok(Table { name: name.to_owned(), format, sampling: Sampling::Loaded, levels, error })
+    }
+}
+
+impl Grid {
+    /// Moments of the bilinear reconstruction over the area of each texel of the image.
+    ///
+    /// A texel's area is four quarters, in each of which the reconstruction is c + p x + q y + r x y about the quarter's
+    /// center, x and y in [−½, ½]: mean c, variance p²/12 + q²/12 + r²/144.
+    fn reconstruction(width: usize, height: usize, values: &[f32], edge: Edge) -> Self {
+        let neighbor = |at: usize, forward: bool, size: usize| match (edge, forward) {
+            (Edge::Clamp, true) => (at + 1).min(size - 1),
+            (Edge::Clamp, false) => at.saturating_sub(1),
+            (Edge::Repeat, true) => (at + 1) % size,
+            (Edge::Repeat, false) => (at + size - 1) % size,
+        };
+        let value = |x: usize, y: usize| f64::from(values[y * width + x]);
+        let quarter = |x: usize, y: usize, right: bool, below: bool| {
+            let (side, level) = (neighbor(x, right, width), neighbor(y, below, height));
+            let center = value(x, y);
+            // Relative to the texel: equal values leave exact zeros.
+            let [across, down, corner] =
+                [value(side, y), value(x, level), value(side, level)].map(|neighbor| neighbor - center);
+            let (across, down, corner) = (0.5 * across, 0.5 * down, 0.25 * (across + down + corner));
+            let mean = 0.25 * (across + down + corner);
+            let [p, q, r] = [0.5 * (across - down + corner), 0.5 * (down - across + corner), corner - across - down];
+            [center + mean, (p * p + q * q) / 12.0 + r * r / 144.0]
+        };
+        let texel = |at: usize| {
+            let (x, y) = (at % width, at / width);
+            let sides = [(false, false), (true, false), (false, true), (true, true)];
+            mixed(&sides.map(|(right, below)| (0.25, quarter(x, y, right, below))))
+        };
+        Self { width, height, moments: (0..width * height).map(texel).collect() }
+    }
+
+    /// The same area in fewer texels.
+    fn shrunk(&self, width: usize, height: usize) -> Self {
+        let (columns, rows) = (spans(self.width, width), spans(self.height, height));
+        let mut moments = Vec::with_capacity(width * height);
+        let mut covered = Vec::new();
+        for row in &rows {
+            for column in &columns {
+                covered.clear();
+                for &(y, part) in row {
+                    let texels = &self.moments[y * self.width..][..self.width];
+                    covered.extend(column.iter().map(|&(x, share)| (part * share, texels[x])));
+                }
+                moments.push(mixed(&covered));
+            }
+        }
+        Self { width, height, moments }
+    }
+}
+
+/// Which of `from` texels each of `to` texels covers along one axis, and the share of its length: shares sum to one.
+fn spans(from: usize, to: usize) -> Vec<Vec<(usize, f64)>> {
+    // In units of 1/(from · to) of the side every edge is an integer.
+    let span = |index: usize| {
+        let (low, high) = (index * from, (index + 1) * from);
+        let texels = low / to..high.div_ceil(to);
+        let length = |texel: usize| high.min((texel + 1) * to) - low.max(texel * to);
+        texels.map(|texel| (texel, length(texel) as f64 / from as f64)).collect()
+    };
+    (0..to).map(span).collect()
+}
+
+/// Mean and variance of a mixture, by the law of total variance; weights sum to one.
+fn mixed(parts: &[(f64, [f64; 2])]) -> [f64; 2] {
+    let Some(&(_, [first, _])) = parts.first() else { return [0.0; 2] };
+    let mean = first + parts.iter().map(|(weight, [mean, _])| weight * (mean - first)).sum::<f64>();
+    let variance = parts.iter().map(|(weight, [center, variance])| weight * (variance + (center - mean).powi(2))).sum();
+    [mean, variance]
+}

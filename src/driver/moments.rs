@@ -1,0 +1,204 @@
+//! The tabulated driver: an image whose moments over a footprint are read from a pyramid.
+
+use crate::Error;
+
+/// A driver that reads mean and deviation over the pixel's footprint from a
+/// [`MomentMipmap`](crate::driver::moment_mipmap::MomentMipmap), and averages colors over taps along its major axis.
+///
+/// What one normal distribution cannot say of a long footprint, several can.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Moments {
+    /// Evaluations of the color a pixel.
+    pub taps: Taps,
+    /// The filter that turns samples into a pixel.
+    pub pixel: Pixel,
+}
+
+/// How many points of a footprint are evaluated, along its major axis.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum Taps {
+    /// One, for the whole footprint.
+    #[default]
+    One,
+    /// Two.
+    Two,
+    /// Four.
+    Four,
+    /// Eight.
+    Eight,
+}
+
+impl Taps {
+    /// The number.
+    pub fn count(self) -> u32 {
+        match self {
+            Self::One => 1,
+            Self::Two => 2,
+            Self::Four => 4,
+            Self::Eight => 8,
+        }
+    }
+}
+
+/// The pixel's filter: a Gaussian of the same covariance stands for it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum Pixel {
+    /// The same deviation along x and y, in pixels: box 0.289, Mitchell 0.333, tent 0.408, Gaussian resolve 0.5.
+    Round(f32),
+    /// The covariance xx, xy, yy in pixels².
+    Covariance([f32; 3]),
+}
+
+impl Default for Moments {
+    /// One tap and a pixel deviation of 0.5.
+    fn default() -> Self {
+        Self { taps: Taps::One, pixel: Pixel::Round(0.5) }
+    }
+}
+
+/// Largest deviation of a pixel's filter, in pixels.
+const WIDEST: f32 = 16.0;
+
+impl Moments {
+    /// Whether the description can be used.
+    ///
+    /// # Errors
+    /// [`Error::Value`] where the pixel's filter has a deviation that is negative, no number or beyond 16 pixels, or a
+    /// covariance that is not positive semi-definite.
+    pub(crate) fn check(&self) -> Result<(), Error> {
+        let refuse = |what: &str, value: f32, allowed: String| {
+            Err(Error::Value { what: what.to_owned(), value: value.into(), allowed })
+        };
+        match self.pixel {
+            Pixel::Round(deviation) if !(0.0..=WIDEST).contains(&deviation) => {
+                refuse("the pixel's deviation", deviation, format!("0 to {WIDEST} pixels"))
+            }
+            Pixel::Round(_) => Ok(()),
+            Pixel::Covariance([xx, xy, yy]) => {
+                let variances = 0.0..=WIDEST * WIDEST;
+                for (name, variance) in [("xx", xx), ("yy", yy)] {
+                    if !variances.contains(&variance) {
+                        let what = format!("the pixel's covariance {name}");
+                        return refuse(&what, variance, format!("0 to {} pixels²", variances.end()));
+                    }
+                }
+                // Rounded entries of a singular covariance may miss by an ulp.
+                if xy * xy <= xx * yy * (1.0 + 1e-6) {
+                    return Ok(());
+                }
+                refuse("the pixel's covariance xy", xy, format!("at most √(xx yy) = {} either way", (xx * yy).sqrt()))
+            }
+        }
+    }
+}
+
+/// The WGSL of `NAME_color`, which drives `NAME_texture` by the moments of an image.
+///
+/// `extra_parameters` and `extra_arguments` are empty or begin with a comma: what `NAME_texture` takes after the
+/// deviation.
+pub(crate) fn glue(
+    name: &str,
+    color_type: &str,
+    extra_parameters: &str,
+    extra_arguments: &str,
+    moments: &Moments,
+) -> String {
+    let footprint = match moments.pixel {
+        Pixel::Round(deviation) => {
+            format!("footprint_covariance_round(dpdx * size, dpdy * size, {deviation:?})")
+        }
+        Pixel::Covariance([xx, xy, yy]) => {
+            format!("footprint_covariance(dpdx * size, dpdy * size, vec3f({xx:?}, {xy:?}, {yy:?}))")
+        }
+    };
+    let taps = moments.taps.count();
+    let (points, body) = match taps {
+        1 => (
+            "one tap".to_owned(),
+            format!(
+                "    let m = moments_read(moments, moments_sampler, position, footprint);
+    return {name}_texture(m.x, m.y{extra_arguments});
+"
+            ),
+        ),
+        _ => (format!("{taps} taps"), taps_loop(name, color_type, extra_arguments, taps)),
+    };
+    format!(
+        "/// Mean color of `{name}` over a pixel's footprint on an image, by {points}.
+///
+/// `position` is in texture coordinates, `dpdx` and `dpdy` are its screen derivatives; `moments` is the image's
+/// pyramid of mean and deviation, read at texel centers: its sampler may be of any kind.
+fn {name}_color(position: vec2f, dpdx: vec2f, dpdy: vec2f, moments: texture_2d<f32>, moments_sampler: \
+         sampler{extra_parameters}) -> {color_type} {{
+    let size = vec2f(textureDimensions(moments, 0));
+    let footprint = {footprint};
+{body}}}
+"
+    )
+}
+
+/// The body for several taps; the number of turns is a literal, so that costs can be counted.
+fn taps_loop(name: &str, color_type: &str, extra_arguments: &str, taps: u32) -> String {
+    format!(
+        "    let deviations = footprint_deviations(footprint);
+    let axis = footprint_direction(footprint);
+    let tap_footprint = taps_covariance(axis, deviations.x, deviations.y, {taps}.0);
+    let spread = axis * taps_spread(deviations.x, deviations.y, {taps}.0) / size;
+    var color = {color_type}();
+    for (var tap = 0; tap < {taps}; tap++) {{
+        let place = taps_place(f32(tap), {taps}.0);
+        let m = moments_read(moments, moments_sampler, position + place.x * spread, tap_footprint);
+        color += place.y * {name}_texture(m.x, m.y{extra_arguments});
+    }}
+    return color;
+"
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn refuses_filters_that_are_none() {
+        let check = |pixel| Moments { pixel, ..Moments::default() }.check();
+        for pixel in [
+            Pixel::Round(-0.1),
+            Pixel::Round(f32::NAN),
+            Pixel::Round(f32::INFINITY),
+            Pixel::Covariance([0.25, 0.3, 0.25]),
+            Pixel::Covariance([0.25, f32::NAN, 0.25]),
+            Pixel::Covariance([-0.25, 0.0, 0.25]),
+        ] {
+            assert!(matches!(check(pixel), Err(Error::Value { .. })), "{pixel:?}");
+        }
+        assert_eq!(Moments::default().check(), Ok(()));
+        assert_eq!(check(Pixel::Round(0.0)), Ok(()));
+        assert_eq!(check(Pixel::Covariance([0.3, 0.1 * 0.3, 0.003])), Ok(()));
+    }
+
+    #[test]
+    fn writes_valid_glue_for_every_number_of_taps() {
+        let texture = "fn rock_texture(mean: f32, deviation: f32, knots: texture_2d<f32>) -> vec4f {
+            return textureLoad(knots, vec2i(0, 0), 0) * mean * deviation;
+        }\n";
+        for taps in [Taps::One, Taps::Two, Taps::Four, Taps::Eight] {
+            for pixel in [Pixel::Round(1.0), Pixel::Covariance([0.25, 0.0, 1e-5])] {
+                let glue = glue("rock", "vec4f", ", knots: texture_2d<f32>", ", knots", &Moments { taps, pixel });
+                let text = prefilter_wgsl::link(&format!("{texture}{glue}")).unwrap();
+                let module =
+                    naga::front::wgsl::parse_str(&text).unwrap_or_else(|e| panic!("{}", e.emit_to_string(&text)));
+                let mut validator = naga::valid::Validator::new(
+                    naga::valid::ValidationFlags::all(),
+                    naga::valid::Capabilities::empty(),
+                );
+                validator.validate(&module).unwrap();
+                assert!(glue.lines().all(|line| line.len() <= 160), "{glue}");
+                assert_eq!(glue.contains("for ("), taps != Taps::One);
+            }
+        }
+    }
+}
