@@ -58,7 +58,8 @@ fn load(path: &str) -> Result<(String, String), String> {
     let absolute = PathBuf::from(folder).join(path);
     let bytes = std::fs::read(&absolute).map_err(|error| match error.kind() {
         ErrorKind::NotFound => format!(
-            "{path}: there is no such file; paths are relative to CARGO_MANIFEST_DIR, the folder of this crate's Cargo.toml"
+            "{path}: there is no such file; paths are relative to CARGO_MANIFEST_DIR, the folder of this crate's \
+             Cargo.toml"
         ),
         _ => format!("{path}, relative to CARGO_MANIFEST_DIR: {error}"),
     })?;

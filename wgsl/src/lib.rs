@@ -14,6 +14,7 @@
 
 mod linker;
 mod scan;
+mod token;
 
 pub use linker::{collisions, link, mentioned, nearest, Collision};
 pub use scan::{declarations, Declaration, Kind};

@@ -7,7 +7,7 @@ use std::sync::OnceLock;
 use crate::scan::{self, Declaration};
 use crate::{File, FILES};
 
-/// A name of the shelf that a text declares too.
+/// A declaration of a text that would change what the shelf means.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Collision {
     /// The name.
@@ -16,19 +16,25 @@ pub struct Collision {
     pub line: usize,
     /// Column of the text's declaration, from 1.
     pub column: usize,
-    /// The shelf file that declares the name.
+    /// The shelf file that declares the name, or that uses a built-in of this name.
     pub shelf_path: &'static str,
     /// The line of the shelf's declaration, from 1.
     pub shelf_line: usize,
+    /// The shelf declaration whose built-in the text would replace; none where the shelf declares the name itself.
+    pub replaced_in: Option<&'static str>,
 }
 
 impl fmt::Display for Collision {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { name, line, column, shelf_path, shelf_line } = self;
-        write!(
-            formatter,
-            "{line}:{column}: `{name}` is declared here and by the shelf at {shelf_path}:{shelf_line}; rename yours"
-        )
+        let Self { name, line, column, shelf_path, shelf_line, replaced_in } = self;
+        write!(formatter, "{line}:{column}: `{name}` is declared here and ")?;
+        match replaced_in {
+            None => write!(formatter, "by the shelf at {shelf_path}:{shelf_line}")?,
+            Some(user) => {
+                write!(formatter, "hides the built-in that `{user}` of the shelf uses at {shelf_path}:{shelf_line}")?
+            }
+        }
+        write!(formatter, "; rename yours")
     }
 }
 
@@ -37,7 +43,10 @@ impl std::error::Error for Collision {}
 struct Entry {
     file: &'static File,
     declaration: Declaration<'static>,
+    /// The shelf declarations that it mentions, by order number.
     needs: Vec<usize>,
+    /// What else it mentions and does not declare for itself: built-ins and keywords.
+    built_ins: BTreeSet<&'static str>,
 }
 
 /// The shelf, scanned once a process: its declarations in order, and the order number of every name.
@@ -52,14 +61,15 @@ fn shelf() -> &'static Shelf {
         let mut entries: Vec<Entry> = FILES
             .iter()
             .flat_map(|file| scan::declarations(file.text).into_iter().map(move |declaration| (file, declaration)))
-            .map(|(file, declaration)| Entry { file, declaration, needs: Vec::new() })
+            .map(|(file, declaration)| Entry { file, declaration, needs: Vec::new(), built_ins: BTreeSet::new() })
             .collect();
         let index: BTreeMap<_, _> =
             entries.iter().enumerate().map(|(number, entry)| (entry.declaration.name, number)).collect();
         for entry in &mut entries {
-            let needs: BTreeSet<usize> =
-                scan::mentions(entry.declaration.text).filter_map(|name| index.get(name).copied()).collect();
-            entry.needs = needs.into_iter().collect();
+            let mentions: BTreeSet<&str> = scan::mentions(entry.declaration.text).collect();
+            let locals = scan::locals(entry.declaration.text);
+            entry.needs = mentions.iter().filter_map(|name| index.get(name).copied()).collect();
+            entry.built_ins = &mentions - &locals;
         }
         Shelf { entries, index }
     })
@@ -71,7 +81,8 @@ fn shelf() -> &'static Shelf {
 /// comments are kept. The same text gives the same bytes on every machine.
 ///
 /// # Errors
-/// The first [`Collision`], where the text declares a name of the shelf.
+/// The first [`Collision`], where the text declares a name of the shelf, or a name that hides a built-in function or
+/// type from the shelf declarations that it needs.
 pub fn link(text: &str) -> Result<String, Collision> {
     if let Some(collision) = collisions(text).into_iter().next() {
         return Err(collision);
@@ -90,6 +101,11 @@ pub fn link(text: &str) -> Result<String, Collision> {
 
 /// Every shelf declaration that a text needs, with the path of its file, in shelf order.
 pub fn mentioned(text: &str) -> Vec<(&'static str, &'static Declaration<'static>)> {
+    needed(text).into_iter().map(|entry| (entry.file.path, &entry.declaration)).collect()
+}
+
+/// The shelf declarations that a text mentions, directly or through one another, in shelf order.
+fn needed(text: &str) -> Vec<&'static Entry> {
     let shelf = shelf();
     let mut open: Vec<usize> = scan::mentions(text).filter_map(|name| shelf.index.get(name).copied()).collect();
     let mut needed = BTreeSet::new();
@@ -98,20 +114,25 @@ pub fn mentioned(text: &str) -> Vec<(&'static str, &'static Declaration<'static>
             open.extend(&shelf.entries[number].needs);
         }
     }
-    needed.iter().map(|&number| &shelf.entries[number]).map(|entry| (entry.file.path, &entry.declaration)).collect()
+    needed.into_iter().map(|number| &shelf.entries[number]).collect()
 }
 
-/// Every declaration of a text that bears a name of the shelf, in the text's order.
+/// Every declaration of a text that bears a name of the shelf or hides a built-in from what the text needs of it, in
+/// the text's order.
 pub fn collisions(text: &str) -> Vec<Collision> {
     let shelf = shelf();
+    let needed = needed(text);
     let collision = |declaration: Declaration<'_>| {
-        let entry = &shelf.entries[*shelf.index.get(declaration.name)?];
+        let declared = shelf.index.get(declaration.name).map(|&number| &shelf.entries[number]);
+        let hidden = || needed.iter().copied().find(|entry| entry.built_ins.contains(declaration.name));
+        let entry = declared.or_else(hidden)?;
         Some(Collision {
             name: declaration.name.to_owned(),
             line: declaration.line,
             column: declaration.column,
             shelf_path: entry.file.path,
             shelf_line: entry.declaration.line,
+            replaced_in: declared.is_none().then_some(entry.declaration.name),
         })
     };
     scan::declarations(text).into_iter().filter_map(collision).collect()

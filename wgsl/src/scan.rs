@@ -1,8 +1,11 @@
 //! Where the declarations of a WGSL text begin and end, and which names they mention.
 //!
-//! A scanner, not a parser: it knows comments, identifiers and brackets. Whether a text is WGSL at all is naga's affair.
+//! A scanner, not a parser: it knows comments, identifiers and brackets. Whether a text is WGSL at all is naga's
+//! affair.
 
-use std::ops::Range;
+use std::collections::BTreeSet;
+
+use crate::token::{tokens, Token, TokenKind};
 
 /// What a declaration declares.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -57,31 +60,31 @@ pub fn declarations(text: &str) -> Vec<Declaration<'_>> {
     let mut found = Vec::new();
     let mut next = 0;
     let mut start = None; // of the comments and attributes that belong to the next declaration
+    let mut attributed = false; // whether an attribute is among them: only comments are cut off by an empty line
     let mut end = 0; // of the last token
     while let Some(token) = tokens.get(next) {
         let gap = &text[end..token.range.start];
-        if gap.matches('\n').count() > 1 {
+        if gap.matches('\n').count() > 1 && !attributed {
             start = None;
         }
-        let trailing = token.kind == TokenKind::Comment && !gap.contains('\n') && start.is_none();
+        let trailing = token.kind == TokenKind::Comment && end > 0 && !gap.contains('\n') && start.is_none();
         if !trailing {
             start.get_or_insert(token.range.start);
         }
-        end = token.range.end;
+        let mut last = next;
         match (keyword(&text[token.range.clone()]), token.kind) {
             (Some(kind), TokenKind::Word) => {
-                let (last, declaration) = declaration(text, &tokens, start.unwrap_or(token.range.start), next, kind);
-                found.extend(declaration);
-                next = last + 1;
-                end = tokens[last].range.end;
-                start = None;
+                let extent = extent(&tokens, next, kind);
+                last = extent.last;
+                found.extend(declaration(text, &tokens, start.unwrap_or(token.range.start), &extent, kind));
+                (start, attributed) = (None, false);
             }
-            (_, TokenKind::Mark(b';')) => {
-                start = None;
-                next += 1;
-            }
-            _ => next += 1,
+            (_, TokenKind::Mark(b';')) => (start, attributed) = (None, false),
+            (_, TokenKind::Comment) => {}
+            _ => attributed = true,
         }
+        end = tokens[last].range.end;
+        next = last + 1;
     }
     found
 }
@@ -103,6 +106,22 @@ pub fn mentions(text: &str) -> impl Iterator<Item = &str> {
     })
 }
 
+/// The names that a declaration declares for itself: parameters, members, and `let`, `var` and `const` in a body.
+pub fn locals(text: &str) -> BTreeSet<&str> {
+    let tokens: Vec<Token> = tokens(text).into_iter().filter(|token| token.kind != TokenKind::Comment).collect();
+    let mut locals = BTreeSet::new();
+    for pair in tokens.windows(2) {
+        let [first, second] = [&text[pair[0].range.clone()], &text[pair[1].range.clone()]];
+        if pair[0].kind == TokenKind::Word && second == ":" {
+            locals.insert(first);
+        }
+        if pair[1].kind == TokenKind::Word && matches!(first, "let" | "var" | "const") {
+            locals.insert(second);
+        }
+    }
+    locals
+}
+
 fn keyword(word: &str) -> Option<Kind> {
     Some(match word {
         "fn" => Kind::Function,
@@ -115,128 +134,81 @@ fn keyword(word: &str) -> Option<Kind> {
     })
 }
 
-/// The declaration whose keyword is the token `first`, and the index of its last token.
+/// Where a declaration lies among the tokens of its text.
+struct Extent {
+    /// The keyword.
+    first: usize,
+    /// The declared name, if there is one.
+    name: Option<usize>,
+    /// The first token behind the signature.
+    head_end: usize,
+    /// The closing brace or semicolon, or the last token of a text that lacks it.
+    last: usize,
+}
+
+/// The extent of the declaration whose keyword is the token `first`.
+fn extent(tokens: &[Token], first: usize, kind: Kind) -> Extent {
+    let closing = if matches!(kind, Kind::Function | Kind::Structure) { b'}' } else { b';' };
+    let mut depth = 0usize;
+    let mut name = None;
+    let mut head_end = None;
+    for (index, token) in tokens.iter().enumerate().skip(first + 1) {
+        let mark = match token.kind {
+            TokenKind::Mark(mark) => mark,
+            TokenKind::Word if name.is_none() && depth == 0 => {
+                name = Some(index);
+                continue;
+            }
+            _ => continue,
+        };
+        if depth == 0 && matches!(mark, b'{' | b'=' | b';') {
+            head_end.get_or_insert(index);
+        }
+        match mark {
+            b'(' | b'[' | b'{' => depth += 1,
+            b')' | b']' | b'}' => depth = depth.saturating_sub(1),
+            // The template list of `var<storage, read>` stands before the name.
+            b'<' if name.is_none() => depth += 1,
+            b'>' if name.is_none() => depth = depth.saturating_sub(1),
+            _ => {}
+        }
+        if depth == 0 && mark == closing {
+            return Extent { first, name, head_end: head_end.unwrap_or(index), last: index };
+        }
+    }
+    Extent { first, name, head_end: head_end.unwrap_or(tokens.len()), last: tokens.len() - 1 }
+}
+
+/// The declaration of an extent, if it has a name; `start` is where its comments and attributes begin.
 fn declaration<'a>(
     text: &'a str,
     tokens: &[Token],
     start: usize,
-    first: usize,
+    extent: &Extent,
     kind: Kind,
-) -> (usize, Option<Declaration<'a>>) {
-    let braced = matches!(kind, Kind::Function | Kind::Structure);
-    let mut depth = 0usize;
-    let mut name = None;
-    let mut signature_end = None;
-    let mut last = tokens.len() - 1;
-    for (index, token) in tokens.iter().enumerate().skip(first + 1) {
-        match token.kind {
-            TokenKind::Comment => {}
-            TokenKind::Word if name.is_none() && depth == 0 => name = Some(token.range.clone()),
-            TokenKind::Word => {}
-            TokenKind::Mark(mark) => {
-                if depth == 0 && matches!(mark, b'{' | b'=' | b';') {
-                    signature_end.get_or_insert(token.range.start);
-                }
-                match mark {
-                    b'(' | b'[' | b'{' => depth += 1,
-                    // The template list of `var<storage, read>` stands before the name.
-                    b'<' if name.is_none() => depth += 1,
-                    b'>' if name.is_none() => depth = depth.saturating_sub(1),
-                    b')' | b']' | b'}' => depth = depth.saturating_sub(1),
-                    _ => {}
-                }
-                if depth == 0 && mark == if braced { b'}' } else { b';' } {
-                    last = index;
-                    break;
-                }
-            }
+) -> Option<Declaration<'a>> {
+    let name = tokens[extent.name?].range.clone();
+    let line_start = text[..name.start].rfind('\n').map_or(0, |at| at + 1);
+    Some(Declaration {
+        name: &text[name.clone()],
+        kind,
+        text: &text[start..tokens[extent.last].range.end],
+        line: text[..name.start].matches('\n').count() + 1,
+        column: text[line_start..name.start].chars().count() + 1,
+        signature: signature(text, &tokens[extent.first..extent.head_end]),
+    })
+}
+
+/// The tokens without comments, with one space wherever anything stood between two of them.
+fn signature(text: &str, tokens: &[Token]) -> String {
+    let mut signature = String::new();
+    let mut end = 0;
+    for token in tokens.iter().filter(|token| token.kind != TokenKind::Comment) {
+        if !signature.is_empty() && token.range.start > end {
+            signature.push(' ');
         }
+        signature.push_str(&text[token.range.clone()]);
+        end = token.range.end;
     }
-    let declaration = name.map(|name| {
-        let end = tokens[last].range.end;
-        let head = &text[tokens[first].range.start..signature_end.unwrap_or(end)];
-        let line_start = text[..name.start].rfind('\n').map_or(0, |at| at + 1);
-        Declaration {
-            name: &text[name.clone()],
-            kind,
-            text: &text[start..end],
-            line: text[..name.start].matches('\n').count() + 1,
-            column: text[line_start..name.start].chars().count() + 1,
-            signature: head.split_whitespace().collect::<Vec<_>>().join(" "),
-        }
-    });
-    (last, declaration)
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum TokenKind {
-    Comment,
-    Word,
-    Mark(u8),
-}
-
-#[derive(Clone, Debug)]
-struct Token {
-    kind: TokenKind,
-    range: Range<usize>,
-}
-
-/// Comments, words (identifiers, keywords, numbers) and single marks; white space is left out.
-fn tokens(text: &str) -> Vec<Token> {
-    let bytes = text.as_bytes();
-    let mut tokens = Vec::new();
-    let mut at = 0;
-    while at < bytes.len() {
-        let (kind, length) = match bytes[at] {
-            byte if byte.is_ascii_whitespace() => {
-                at += 1;
-                continue;
-            }
-            b'/' if bytes.get(at + 1) == Some(&b'/') => (TokenKind::Comment, line_comment(&bytes[at..])),
-            b'/' if bytes.get(at + 1) == Some(&b'*') => (TokenKind::Comment, block_comment(&bytes[at..])),
-            byte if is_word(byte) => (TokenKind::Word, word(&bytes[at..])),
-            mark => (TokenKind::Mark(mark), 1),
-        };
-        tokens.push(Token { kind, range: at..at + length });
-        at += length;
-    }
-    tokens
-}
-
-fn is_word(byte: u8) -> bool {
-    byte.is_ascii_alphanumeric() || byte == b'_' || byte >= 0x80
-}
-
-/// A number keeps its point (`1.0`, `2.`, `.5e3`), so that a suffix or exponent is not taken for a member.
-fn word(bytes: &[u8]) -> usize {
-    let number = bytes[0].is_ascii_digit();
-    let belongs = |&byte: &u8| is_word(byte) || (number && byte == b'.');
-    bytes.iter().take_while(|byte| belongs(byte)).count()
-}
-
-fn line_comment(bytes: &[u8]) -> usize {
-    bytes.iter().take_while(|&&byte| byte != b'\n').count()
-}
-
-/// Block comments nest in WGSL; an unclosed one ends with the text.
-fn block_comment(bytes: &[u8]) -> usize {
-    let mut depth = 0usize;
-    let mut at = 0;
-    while at < bytes.len() {
-        match (bytes[at], bytes.get(at + 1)) {
-            (b'/', Some(b'*')) => {
-                depth += 1;
-                at += 2;
-            }
-            (b'*', Some(b'/')) => {
-                depth -= 1;
-                at += 2;
-                if depth == 0 {
-                    break;
-                }
-            }
-            _ => at += 1,
-        }
-    }
-    at
+    signature
 }
