@@ -5,7 +5,10 @@
 #[non_exhaustive]
 pub enum Error {
     /// A name that cannot stand in a shader.
-    #[error("the name `{name}` {reason}; allowed are ASCII letters, digits and single underscores, a letter first and no digit last")]
+    #[error(
+        "the name `{name}` {reason}; allowed are ASCII letters, digits and single underscores, \
+         a letter first and no digit last"
+    )]
     Name {
         /// The name as given.
         name: String,
@@ -33,7 +36,10 @@ pub enum Error {
         allowed: String,
     },
     /// No tier keeps the accuracy asked for.
-    #[error("no tier of `{scene}` keeps an error of {asked}: the closest, {closest}, promises {bound}; allow tables, narrow the ranges or ask for less")]
+    #[error(
+        "no tier of `{scene}` keeps an error of {asked}: the closest, {closest}, promises {bound}; \
+         allow tables, narrow the ranges or ask for less"
+    )]
     Accuracy {
         /// The scene's name.
         scene: String,

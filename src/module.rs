@@ -54,7 +54,8 @@ impl Module {
         &self.name
     }
 
-    /// The whole text: the exports first, the shelf functions that they need behind. The same scene gives the same bytes.
+    /// The whole text: the exports first, the shelf functions that they need behind. The same scene gives the same
+    /// bytes.
     pub fn wgsl(&self) -> &str {
         self.linked.wgsl()
     }
@@ -90,8 +91,8 @@ impl Module {
     /// several modules, see [`link`](crate::link).
     ///
     /// # Errors
-    /// A text that declares a name of the shelf or of the module, or that naga refuses: the message has line, column and
-    /// excerpt, and for an unknown name the nearest known.
+    /// A text that declares a name of the shelf or of the module, or that naga refuses: the message has line, column
+    /// and excerpt, and for an unknown name the nearest known.
     pub fn link(&self, text: &str) -> Result<Shader, Error> {
         shader::link(&[self], text)
     }

@@ -1,10 +1,10 @@
 //! The words that WGSL, GLSL, HLSL and MSL keep for themselves.
 //!
 //! Source: the lists of naga 30.0.2 (`keywords/wgsl.rs` and `back/*/keywords.rs`, which name the sections of each
-//! specification): the WGSL candidate recommendation of 2025-08-09 (with its predeclared aliases, which naga leaves out);
-//! GLSL 4.60 and ES 3.20 with Vulkan's additions; HLSL of FXC and DXC; C++14 and the Metal shading language. Words that
-//! no name may look like anyway (a digit last, two underscores in a row, an underscore first) are left out. A test of
-//! `spirv-tests` reads naga's lists again and compares.
+//! specification): the WGSL candidate recommendation of 2025-08-09 (with its predeclared aliases, which naga leaves
+//! out); GLSL 4.60 and ES 3.20 with Vulkan's additions; HLSL of FXC and DXC; C++14 and the Metal shading language.
+//! Words that no name may look like anyway (a digit last, two underscores in a row, an underscore first) are left out.
+//! A test of `spirv-tests` reads naga's lists again and compares.
 
 /// What one language keeps, separated by white space, in ASCII order.
 pub(crate) struct Vocabulary {
@@ -58,19 +58,20 @@ pub(crate) const LANGUAGES: [Vocabulary; 4] = [
     dot4I8Packed dot4U8Packed dpdx dpdxCoarse dpdxFine dpdy dpdyCoarse dpdyFine exp extractBits faceForward
     firstLeadingBit firstTrailingBit floor fma fract frexp function fwidth fwidthCoarse fwidthFine insertBits
     inverseSqrt ldexp length log max min mix modf normalize pack2x16float pack2x16snorm pack2x16unorm pack4x8snorm
-    pack4x8unorm pack4xI8Clamp pack4xU8Clamp pow private quadBroadcast quadSwapDiagonal quadSwapX quadSwapY r16float
-    r16sint r16snorm r16uint r16unorm r32float r32sint r32uint r8sint r8snorm r8uint r8unorm radians read read_write
-    reflect refract reverseBits rg11b10ufloat rg16float rg16sint rg16snorm rg16uint rg16unorm rg32float rg32sint
-    rg32uint rg8sint rg8snorm rg8uint rg8unorm rgb10a2uint rgb10a2unorm rgba16float rgba16sint rgba16snorm rgba16uint
-    rgba16unorm rgba32float rgba32sint rgba32uint rgba8sint rgba8snorm rgba8uint rgba8unorm round saturate select sign
-    sin sinh smoothstep sqrt step storage storageBarrier subgroupAdd subgroupAll subgroupAnd subgroupAny
-    subgroupBallot subgroupBroadcast subgroupBroadcastFirst subgroupElect subgroupExclusiveAdd subgroupExclusiveMul
-    subgroupInclusiveAdd subgroupInclusiveMul subgroupMax subgroupMin subgroupMul subgroupOr subgroupShuffle
-    subgroupShuffleDown subgroupShuffleUp subgroupShuffleXor subgroupXor tan tanh textureBarrier textureDimensions
-    textureGather textureGatherCompare textureLoad textureNumLayers textureNumLevels textureNumSamples textureSample
-    textureSampleBaseClampToEdge textureSampleBias textureSampleCompare textureSampleCompareLevel textureSampleGrad
-    textureSampleLevel textureStore transpose trunc uniform unpack2x16float unpack2x16snorm unpack2x16unorm
-    unpack4x8snorm unpack4x8unorm workgroup workgroupBarrier workgroupUniformLoad write",
+    pack4x8unorm pack4xI8Clamp pack4xU8Clamp pow private push_constant quadBroadcast quadSwapDiagonal quadSwapX
+    quadSwapY r16float r16sint r16snorm r16uint r16unorm r32float r32sint r32uint r64uint r8sint r8snorm r8uint
+    r8unorm radians read read_write reflect refract reverseBits rg11b10ufloat rg16float rg16sint rg16snorm rg16uint
+    rg16unorm rg32float rg32sint rg32uint rg8sint rg8snorm rg8uint rg8unorm rgb10a2uint rgb10a2unorm rgba16float
+    rgba16sint rgba16snorm rgba16uint rgba16unorm rgba32float rgba32sint rgba32uint rgba8sint rgba8snorm rgba8uint
+    rgba8unorm round saturate select sign sin sinh smoothstep sqrt step storage storageBarrier subgroupAdd subgroupAll
+    subgroupAnd subgroupAny subgroupBallot subgroupBroadcast subgroupBroadcastFirst subgroupElect subgroupExclusiveAdd
+    subgroupExclusiveMul subgroupInclusiveAdd subgroupInclusiveMul subgroupMax subgroupMin subgroupMul subgroupOr
+    subgroupShuffle subgroupShuffleDown subgroupShuffleUp subgroupShuffleXor subgroupXor tan tanh textureBarrier
+    textureDimensions textureGather textureGatherCompare textureLoad textureNumLayers textureNumLevels
+    textureNumSamples textureSample textureSampleBaseClampToEdge textureSampleBias textureSampleCompare
+    textureSampleCompareLevel textureSampleGrad textureSampleLevel textureStore transpose trunc uniform
+    unpack2x16float unpack2x16snorm unpack2x16unorm unpack4x8snorm unpack4x8unorm workgroup workgroupBarrier
+    workgroupUniformLoad write",
     },
     Vocabulary {
         language: "GLSL",

@@ -107,8 +107,8 @@ fn naive(map: &ColorMap, ranges: Ranges) -> Filter {
     Filter { body, tables: Vec::new(), bound: naive_bound(map, ranges), trips: 1 }
 }
 
-/// A map turns a normal variable's mean distance from its mean, σ√(2/π), into at most its steepest slope times that, and
-/// never leaves its hull.
+/// A map turns a normal variable's mean distance from its mean, σ√(2/π), into at most its steepest slope times that,
+/// and never leaves its hull.
 fn naive_bound(map: &ColorMap, ranges: Ranges) -> Bound {
     let (low, high) = map.hull();
     let width = low.iter().zip(high).map(|(low, high)| high - low).fold(0.0, f32::max);
@@ -141,8 +141,8 @@ fn closed_form(map: &ColorMap, kernel: Kernel, ranges: Ranges) -> Filter {
         Kernel::Fast => "_fast",
         Kernel::Exact => "",
     };
-    // Means and deviations beyond the ranges, infinite ones included, must not multiply slopes: far outside the knots the
-    // map is constant anyway, and a deviation beyond the declared one counts as that.
+    // Means and deviations beyond the ranges, infinite ones included, must not multiply slopes: far outside the knots
+    // the map is constant anyway, and a deviation beyond the declared one counts as that.
     let knots = map.knots();
     let far = REACH * ranges.deviation;
     let ends = (number(knots[0].position - far), number(knots[knots.len() - 1].position + far));
@@ -167,8 +167,8 @@ fn closed_form(map: &ColorMap, kernel: Kernel, ranges: Ranges) -> Filter {
 
 /// The sum of the terms' promises, weighted by what multiplies them, and the rounding of the sum.
 ///
-/// Kinks scale with the unit of their arguments: E[max(λf − λt, 0)] = λ E[max(f − t, 0)]. The shelf promises an error for
-/// distances up to 1.5 and deviations up to 0.5, and λ makes those of the scene's ranges.
+/// Kinks scale with the unit of their arguments: E[max(λf − λt, 0)] = λ E[max(f − t, 0)]. The shelf promises an error
+/// for distances up to 1.5 and deviations up to 0.5, and λ makes those of the scene's ranges.
 fn closed_form_bound(map: &ColorMap, pieces: &Pieces, suffix: &str, ranges: Ranges) -> Bound {
     let reach = farthest(map, ranges);
     let scale = (reach / 1.5).max(f64::from(ranges.deviation) / 0.5).max(1.0);

@@ -12,9 +12,9 @@ pub const MAX_COLOR: f32 = 65504.0;
 
 /// A piecewise-linear map from a value (a noise, a height) to three or four linear channels.
 ///
-/// The map is constant below its first and above its last knot. Colors are linear inside; the `_srgb` constructors decode
-/// sRGB first. A fourth channel is premultiplied alpha or a material value such as roughness, and is never decoded.
-/// Positions share their unit with the mean that the module is called with.
+/// The map is constant below its first and above its last knot. Colors are linear inside; the `_srgb` constructors
+/// decode sRGB first. A fourth channel is premultiplied alpha or a material value such as roughness, and is never
+/// decoded. Positions share their unit with the mean that the module is called with.
 ///
 /// ```
 /// use prefilter::ColorMap;
@@ -128,8 +128,8 @@ impl ColorMap {
         Self::bands(color_to_linear(lowest), edges)
     }
 
-    /// The map that a linearly filtered, clamped row of linear texels is, spread from `low` to `high`: texel i of n lies
-    /// on the center of its cell, at `low + (high − low)(i + ½)/n`.
+    /// The map that a linearly filtered, clamped row of linear texels is, spread from `low` to `high`: texel i of n
+    /// lies on the center of its cell, at `low + (high − low)(i + ½)/n`.
     ///
     /// # Errors
     /// As [`Self::gradient`]; `low` below `high`, both finite.

@@ -58,7 +58,8 @@ impl Pieces {
                     pieces.ramps.push(Ramp { position: knot.position, width: width as f32, change: rise });
                 }
             }
-            // Each change makes up for the rounding of those before it: errors of the slope do not add up along the map.
+            // Each change makes up for the rounding of those before it: errors of the slope do not add up along the
+            // map.
             let change: [f32; 4] = std::array::from_fn(|channel| (target[channel] - slope[channel]) as f32);
             if change != [0.0; 4] {
                 pieces.kinks.push(Kink { position: knot.position, change });

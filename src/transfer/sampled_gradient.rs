@@ -6,8 +6,8 @@ use crate::Error;
 impl ColorMap {
     /// A `colorgrad` gradient over its own domain, sampled at `stops` evenly spaced positions, ends included.
     ///
-    /// Between them the map is linear in light. A gradient that is opaque everywhere gives three channels, any other four,
-    /// premultiplied.
+    /// Between them the map is linear in light. A gradient that is opaque everywhere gives three channels, any other
+    /// four, premultiplied.
     ///
     /// # Errors
     /// Fewer than two stops or more than [`MAX_KNOTS`]; a domain that [`ColorMap::gradient`] refuses.

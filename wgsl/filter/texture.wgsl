@@ -5,7 +5,7 @@
 
 /// Mean of the kink max(f − t, 0).
 ///
-/// Source: Heitz et al. 2014, "Filtering Non-Linear Transfer Functions on Surfaces", equation 9, for C(f) = max(f − t, 0).
+/// Source: Heitz et al. 2014, "Filtering Non-Linear Transfer Functions on Surfaces", equation 9, of max(f − t, 0).
 /// Domain: distance in [-1.5, 1.5], deviation log in [1e-6, 0.5].
 /// Error: 2e-7 absolute; f32 rounding.
 fn texture_kink(distance: f32, deviation: f32) -> f32 {
@@ -25,7 +25,7 @@ fn texture_kink_fast(distance: f32, deviation: f32) -> f32 {
 
 /// Mean of the step f > t.
 ///
-/// Source: Heitz et al. 2014, equation 9, for a unit step; the threshold of "Filtering 101" with weights that sum to one.
+/// Source: Heitz et al. 2014, equation 9, for a unit step; the threshold of "Filtering 101", its weights summing to 1.
 /// Domain: distance in [-1.5, 1.5], deviation log in [1e-6, 0.5].
 /// Error: 4e-7 absolute; f32 rounding.
 fn texture_step(distance: f32, deviation: f32) -> f32 {
@@ -59,10 +59,11 @@ fn texture_ramp(distance: f32, width: f32, deviation: f32) -> f32 {
     return clamp((clamp(distance, 0.0, width) + s * excess) / width, 0.0, 1.0);
 }
 
-/// Mean of the map whose knots are the texels of a texture: rows of left colors, right colors and positions, by position.
+/// Mean of the map whose knots are the texels of a texture: rows of left colors, right colors and positions, by
+/// position.
 ///
-/// Segment by segment and edge by edge, each a weight times a difference of colors, so that the knots may change without
-/// the text; the result is clamped to the knots' colors. Costs a ramp a segment and a step a hard edge.
+/// Segment by segment and edge by edge, each a weight times a difference of colors, so that the knots may change
+/// without the text; the result is clamped to the knots' colors. Costs a ramp a segment and a step a hard edge.
 ///
 /// Source: Heitz et al. 2014, equation 9, for a piecewise-linear map.
 /// Domain: mean in [-0.5, 1.5], deviation log in [1e-6, 0.5].
@@ -96,7 +97,8 @@ fn texture_knots(mean: f32, deviation: f32, knots: texture_2d<f32>) -> vec4f {
 /// 0 to `reach`. Values outside read the table's border.
 ///
 /// Source: Heitz et al. 2014, section 4.2, with the deviation's axis by its cube root.
-/// Domain: mean in [-0.25, 1.25], deviation in [0, 0.5], low in [-0.25, -0.25], high in [1.25, 1.25], reach in [0.5, 0.5].
+/// Domain: mean in [-0.25, 1.25], deviation in [0, 0.5], low in [-0.25, -0.25], high in [1.25, 1.25], reach in [0.5,
+/// 0.5].
 /// Error: 4e-3 absolute; bilinear interpolation of 512 × 16 nodes for matplotlib's terrain.
 fn texture_table(
     mean: f32, deviation: f32, low: f32, high: f32, reach: f32, table: texture_2d<f32>, table_sampler: sampler,

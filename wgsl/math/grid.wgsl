@@ -1,7 +1,7 @@
 // Axes of tables: from a value to the texture coordinate at which bilinear filtering interpolates between nodes.
 //
-// Node i of n lies on the center of texel i, at (i + ½)/n: the first node is the axis' first value and the last node its
-// last, exactly. The baker's inverse is `table/grid.rs`.
+// Node i of n lies on the center of texel i, at (i + ½)/n: the first node is the axis' first value and the last node
+// its last, exactly. The baker's inverse is `table/grid.rs`.
 
 /// Texture coordinate of a value on an evenly spaced axis from `low` to `high`; values outside read the end nodes.
 ///

@@ -163,8 +163,8 @@ mod tests {
         let debian = Platform::Debian { root: false }.instruction(&ALL);
         assert_eq!(
             debian,
-            "Run: sudo apt-get install -y --no-install-recommends mesa-vulkan-drivers libvulkan1 spirv-tools glslang-tools \
-             nodejs npm"
+            "Run: sudo apt-get install -y --no-install-recommends mesa-vulkan-drivers libvulkan1 spirv-tools \
+             glslang-tools nodejs npm"
         );
         for platform in [Platform::Fedora, Platform::Arch, Platform::Mac, Platform::Windows, Platform::Other] {
             let line = platform.instruction(&ALL);

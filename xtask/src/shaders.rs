@@ -28,12 +28,12 @@ fn sibling(name: &str) -> Result<PathBuf, String> {
     Ok(own.with_file_name(format!("{name}{}", std::env::consts::EXE_SUFFIX)))
 }
 
-/// `NAME.spv` are Vulkan shaders; `NAME.library.spv` are modules without an entry point, for a linker.
+/// `NAME.spv` are Vulkan shaders; `NAME.module.spv` are modules without an entry point, for a linker.
 fn spirv(corpus: &Path) -> Result<(), String> {
     let files = with_extension(corpus, "spv")?;
     let mut refused = Vec::new();
     for file in &files {
-        let library = file.to_string_lossy().ends_with(".library.spv");
+        let library = file.to_string_lossy().ends_with(".module.spv");
         let target = if library { "spv1.3" } else { "vulkan1.1" };
         if let Err(message) = run(Command::new("spirv-val").args(["--target-env", target]).arg(file)) {
             refused.push(message);

@@ -1,6 +1,6 @@
 //! Writes every module that other validators must accept into a folder: `NAME.wgsl` with its SPIR-V.
 //!
-//! `NAME.library.spv` is SPIR-V without an entry point, for a linker (`spirv-val --target-env spv1.3`); `NAME.spv` is a
+//! `NAME.module.spv` is SPIR-V without an entry point, for a linker (`spirv-val --target-env spv1.3`); `NAME.spv` is a
 //! Vulkan shader (`--target-env vulkan1.1`).
 #![deny(missing_docs)]
 
@@ -25,7 +25,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut count = 0;
     for file in prefilter_wgsl::FILES {
         let name = format!("shelf.{}", file.path.trim_end_matches(".wgsl").replace('/', "."));
-        write(&folder, &format!("{name}.library"), &linked(file))?;
+        write(&folder, &format!("{name}.module"), &linked(file))?;
         count += 1;
     }
     println!("{count} modules in {}", folder.display());
