@@ -1,6 +1,12 @@
 //! Every shelf function on a Vulkan device, judged by its own contract against the f64 reference.
 #![deny(missing_docs)]
 
+pub mod contract;
 pub mod demo;
+pub mod fill;
+pub mod harness;
+pub mod kernel;
 pub mod maps;
+pub mod rows;
 pub mod scenes;
+pub mod signature;

@@ -7,7 +7,7 @@
 ///
 /// Source: Heitz et al. 2014, "Filtering Non-Linear Transfer Functions on Surfaces", equation 9, of max(f − t, 0).
 /// Domain: distance in [-1.5, 1.5], deviation log in [1e-6, 0.5].
-/// Error: 2e-7 absolute; f32 rounding.
+/// Error: 2e-7 absolute; half a deviation times the error of `normal_excess`, and f32 rounding.
 fn texture_kink(distance: f32, deviation: f32) -> f32 {
     let s = max(deviation, 1e-6);
     return max(distance, 0.0) + s * normal_excess(abs(distance) * (1.0 / s));
@@ -27,7 +27,7 @@ fn texture_kink_fast(distance: f32, deviation: f32) -> f32 {
 ///
 /// Source: Heitz et al. 2014, equation 9, for a unit step; the threshold of "Filtering 101", its weights summing to 1.
 /// Domain: distance in [-1.5, 1.5], deviation log in [1e-6, 0.5].
-/// Error: 4e-7 absolute; f32 rounding.
+/// Error: 4e-7 absolute; that of `normal_cdf`.
 fn texture_step(distance: f32, deviation: f32) -> f32 {
     return normal_cdf(distance / max(deviation, 1e-6));
 }
@@ -48,11 +48,11 @@ fn texture_step_fast(distance: f32, deviation: f32) -> f32 {
 ///
 /// Source: Heitz et al. 2014, equation 9, for a ramp.
 /// Domain: distance in [-1.5, 1.5], width log in [1e-5, 1], deviation log in [1e-6, 0.5].
-/// Error: 4e-5 absolute; of the step that replaces narrow ramps.
+/// Error: 8e-6 absolute; 4.0e-6 of the step that replaces narrow ramps, rounding before it does.
 fn texture_ramp(distance: f32, width: f32, deviation: f32) -> f32 {
     let s = max(deviation, 1e-6);
     let r = 1.0 / s;
-    if width * r < 0.05 {
+    if width * r < 0.02 {
         return normal_cdf((distance - 0.5 * width) * r);
     }
     let excess = normal_excess(abs(distance) * r) - normal_excess(abs(distance - width) * r);

@@ -9,8 +9,9 @@
 /// Domain: value in [-1, 2], low in [-0.5, 0.25], high in [0.5, 1.5], count integer in [2, 4096].
 /// Error: 3e-7 absolute; f32 rounding.
 fn grid_linear(value: f32, low: f32, high: f32, count: f32) -> f32 {
-    let v = clamp((value - low) / (high - low), 0.0, 1.0);
-    return (v * (count - 1.0) + 0.5) / count;
+    let n = max(count, 1.0);
+    let v = clamp((value - low) / max(high - low, 1e-30), 0.0, 1.0);
+    return (v * (n - 1.0) + 0.5) / n;
 }
 
 /// Texture coordinate of a value on an axis from 0 to `high` whose nodes are evenly spaced in the cube root.
@@ -21,6 +22,7 @@ fn grid_linear(value: f32, low: f32, high: f32, count: f32) -> f32 {
 /// Domain: value log in [1e-7, 2], high in [0.25, 1], count integer in [2, 4096].
 /// Error: 2e-6 absolute; of exp2 and log2.
 fn grid_cube_root(value: f32, high: f32, count: f32) -> f32 {
-    let v = clamp(value / high, 1e-30, 1.0);
-    return (exp2(log2(v) * (1.0 / 3.0)) * (count - 1.0) + 0.5) / count;
+    let n = max(count, 1.0);
+    let v = clamp(value / max(high, 1e-30), 1e-30, 1.0);
+    return (exp2(log2(v) * (1.0 / 3.0)) * (n - 1.0) + 0.5) / n;
 }

@@ -1,0 +1,178 @@
+//! The harness must fail where it should: a wrong shader, an unwritten output, a NaN, a slack promise, a missing row or
+//! clause, no case at all.
+
+use prefilter::gpu::{Device, Kernel, Work};
+use spirv_tests::contract::{Contract, Domain, Promise};
+use spirv_tests::fill;
+use spirv_tests::harness::{compare, finite, judge, Failure, Judgement};
+use spirv_tests::kernel::Function;
+use spirv_tests::rows::{self, Row};
+
+const COUNT: usize = 1_000;
+
+/// A function `double` with the given contract and body.
+fn double(domain: &str, error: &str, body: &str) -> Function {
+    let text = format!(
+        "/// Twice a number.\n///\n/// Source: the definition.\n/// {domain}\n/// {error}\n\
+         fn double(x: f32) -> f32 {{ {body} }}"
+    );
+    Function::in_text(&text, "double").unwrap()
+}
+
+fn good() -> Function {
+    double("Domain: x in [-3, 5].", "Error: exact.", "return 2.0 * x;")
+}
+
+fn row() -> Row {
+    Row::new("double", |x| [x[0] + x[0]])
+}
+
+fn judged(function: &Function, row: Row) -> Result<Judgement, Failure> {
+    judge(&Device::new().unwrap(), function, &[&row], COUNT)
+}
+
+#[test]
+fn a_right_shader_passes_with_all_its_cases() {
+    let judgement = judged(&good(), row().at([[1.0]])).unwrap();
+    assert!(judgement.cases > COUNT && judgement.outside > 100, "{judgement}");
+    assert_eq!(judgement.worst.error, 0.0);
+}
+
+#[test]
+fn a_wrong_shader_fails_at_its_worst_point() {
+    let wrong =
+        double("Domain: x in [-3, 5].", "Error: 1e-3 absolute.", "return 2.0 * x + select(0.0, 0.01, x > 4.9);");
+    let Err(Failure::Broken(judgement)) = judged(&wrong, row()) else { panic!("it passed") };
+    assert!(judgement.worst.point[0] > 4.9 && (judgement.worst.error - 0.01).abs() < 1e-5, "{judgement}");
+    let relative = double("Domain: x log in [1e-6, 1].", "Error: 1e-4 relative.", "return 2.0 * x + 1e-9;");
+    let Err(Failure::Broken(judgement)) = judged(&relative, row()) else { panic!("it passed") };
+    assert!(judgement.worst.error > 4e-4, "{judgement}");
+}
+
+#[test]
+fn a_wrong_edge_fails() {
+    // Only the edge itself is wrong, which no fill meets.
+    let wrong = double("Domain: x in [-3, 5].", "Error: exact.", "return select(2.0 * x, 0.0, x == 5.0);");
+    assert!(matches!(judged(&wrong, row()), Err(Failure::Broken(_))));
+    let zero = double("Domain: x in [-3, 5].", "Error: exact.", "return select(2.0 * x, 1.0, x == 0.0);");
+    assert!(matches!(judged(&zero, row()), Err(Failure::Broken(_))));
+    let breakpoint = double("Domain: x in [-3, 5].", "Error: exact.", "return select(2.0 * x, 1.0, x == 1.5);");
+    assert!(matches!(judged(&breakpoint, row().at([[1.5]])), Err(Failure::Broken(_))));
+}
+
+#[test]
+fn a_nan_fails_in_and_outside_the_domain() {
+    let nan = "bitcast<f32>(0x7fc00000u + u32(x != x))";
+    let inside =
+        double("Domain: x in [-3, 5].", "Error: 1e30 absolute.", &format!("return select(2.0 * x, {nan}, x == 5.0);"));
+    let Err(Failure::Broken(judgement)) = judged(&inside, row()) else { panic!("it passed") };
+    assert_eq!(judgement.worst.error, f64::INFINITY);
+    for wrong in [nan, "1.0 / (x - x)"] {
+        let outside =
+            double("Domain: x in [-3, 5].", "Error: exact.", &format!("return select(2.0 * x, {wrong}, x > 6.0);"));
+        assert!(matches!(judged(&outside, row()), Err(Failure::NotFinite { .. })));
+    }
+}
+
+#[test]
+fn a_nan_of_the_reference_fails() {
+    let row = Row::new("double", |x| [if x[0] > 4.9 { f64::NAN } else { 2.0 * x[0] }]);
+    assert!(matches!(judged(&good(), row), Err(Failure::Broken(_))));
+    let short = Row::new("double", |_| [0.0; 0]);
+    assert!(matches!(judged(&good(), short), Err(Failure::Broken(_))));
+}
+
+#[test]
+fn an_unwritten_output_fails() {
+    let text = "@group(0) @binding(0) var<storage, read_write> output: array<f32>;
+        @compute @workgroup_size(1) fn main() { output[0] = 2.0; }";
+    let kernel = Kernel::new(&Device::new().unwrap(), text, "main").unwrap();
+    let output = kernel.run(&Work { inputs: &[], textures: &[], invocations: 1, output: 2 }).unwrap();
+    let results: Vec<Vec<f64>> = output.iter().map(|&value| vec![f64::from(value)]).collect();
+    let points = [vec![1.0], vec![2.0]];
+    let compared = compare(&good(), Promise::Absolute(1e30), &row(), &points, &results);
+    let Err(Failure::Broken(judgement)) = compared else { panic!("it passed") };
+    assert_eq!((judgement.worst.point.as_slice(), judgement.worst.error), ([2.0].as_slice(), f64::INFINITY));
+    assert!(matches!(finite(&good(), &points, &results), Err(Failure::NotFinite { .. })));
+}
+
+#[test]
+fn no_case_fails() {
+    let compared =
+        |points: &[Vec<f64>], results: &[Vec<f64>]| compare(&good(), Promise::Exact, &row(), points, results);
+    assert_eq!(compared(&[], &[]), Err(Failure::NoCases("double".into())));
+    assert_eq!(compared(&[vec![1.0], vec![2.0]], &[vec![2.0]]), Err(Failure::NoCases("double".into())));
+    assert_eq!(judged(&good(), row().only_where(|_| false)), Err(Failure::NoCases("double".into())));
+}
+
+#[test]
+fn a_slack_promise_fails_on_the_pinned_driver() {
+    let slack = double("Domain: x in [-3, 5].", "Error: 4.1e-3 absolute.", "return 2.0 * x + 0.001;");
+    let tight = double("Domain: x in [-3, 5].", "Error: 3.9e-3 absolute.", "return 2.0 * x + 0.001;");
+    assert!(judged(&tight, row()).is_ok());
+    let pinned = Device::new().unwrap().label().contains("llvmpipe");
+    assert_eq!(matches!(judged(&slack, row()), Err(Failure::Slack(_))), pinned);
+}
+
+#[test]
+fn a_missing_row_and_a_stray_row_fail() {
+    let none = judge(&Device::new().unwrap(), &good(), &[], COUNT);
+    assert_eq!(none, Err(Failure::NoRow("double".into())));
+    let missing = rows::unmatched(&[good()], &[Row::new("triple", |x| [3.0 * x[0]])]);
+    assert_eq!(missing.len(), 2, "{missing:?}");
+    assert!(rows::unmatched(&[good()], &[row()]).is_empty());
+}
+
+#[test]
+fn a_broken_contract_names_the_function_and_the_clause() {
+    let refused = |domain: &str, error: &str| Contract::of(&double(domain, error, "return x;")).unwrap_err();
+    for (domain, error, message) in [
+        ("Domain: x in [0, 1].", "", "`double`: the clause `Error:` is missing"),
+        ("", "Error: exact.", "`double`: the clause `Domain:` is missing"),
+        ("Domain: y in [0, 1].", "Error: exact.", "`double`: `Domain:` does not name `x`"),
+        ("Domain: x in [0, 1], y in [0, 1].", "Error: exact.", "`double`: `Domain:` names `y`, which is no parameter"),
+        ("Domain: x in [2, 1].", "Error: exact.", "bounds are not two numbers in rising order"),
+        ("Domain: x in [0, one].", "Error: exact.", "says `one`, which is no number"),
+        ("Domain: x log in [0, 1].", "Error: exact.", "logarithms begin above 0"),
+        ("Domain: x unit.", "Error: exact.", "gives `x` a range that its type has not"),
+        ("Domain: x psd(1, 2, 0.9).", "Error: exact.", "gives `x` a range that its type has not"),
+        ("Domain: x near 1.", "Error: exact.", "says `x near 1`; known are"),
+        ("Domain: x in [0, 1].", "Error: small.", "`double`: `Error:` says `small`; known are"),
+        ("Domain: x in [0, 1].", "Error: 0 absolute.", "promises 0, which is no positive number"),
+        ("Domain: x in [0, 1].", "Error: 1e-3 of it.", "known are `NUMBER absolute`"),
+    ] {
+        let refused = refused(domain, error);
+        assert!(refused.contains("`double`") && refused.contains(message), "{refused}");
+    }
+}
+
+#[test]
+fn contracts_fill_their_domains() {
+    let text = "/// Source: the definition.
+        /// Domain: n unit upper, c psd(0.5, 2, 0.9), s.d log in [0.1, 1],
+        /// s.k integer in [-2, 3].
+        /// Error: 1e-3 relative; for a reason.
+        fn f(n: vec3f, c: vec3f, s: pair, t: texture_2d<f32>) -> f32 { return n.x; }
+        struct pair { d: vec2f, k: i32 }";
+    let text: String = text.lines().map(|line| format!("{}\n", line.trim_start())).collect();
+    let function = Function::in_text(&text, "f").unwrap();
+    let contract = Contract::of(&function).unwrap();
+    assert_eq!((contract.promise, contract.source.as_str()), (Promise::Relative(1e-3), "the definition."));
+    assert_eq!(contract.ranges[2].domain, Domain::Logarithmic(0.1, 1.0));
+    let points = fill::points(&contract.ranges, 10_000).inside;
+    assert!(points.len() > 10_000 && points.iter().all(|point| point.len() == 9));
+    let mut seen = [false; 6];
+    for point in &points {
+        let &[x, y, z, xx, xy, yy, d, e, k] = point.as_slice() else { panic!("{point:?}") };
+        assert!((x * x + y * y + z * z - 1.0).abs() < 1e-6 && z >= 0.0, "{point:?}");
+        assert!((0.249..=4.01).contains(&xx) && (0.249..=4.01).contains(&yy), "{point:?}");
+        assert!(xy.abs() <= 0.900_001 * (xx * yy).sqrt(), "{point:?}");
+        assert!([d, e].iter().all(|value| (0.099..=1.01).contains(value)), "{point:?}");
+        assert!(k == k.round() && (-2.0..=3.0).contains(&k), "{point:?}");
+        seen[(k + 2.0) as usize] = true;
+    }
+    assert_eq!(seen, [true; 6]);
+    // The fill is even: each half of an even axis holds half of the points.
+    let upper = points[..10_000].iter().filter(|point| point[2] > 0.5).count();
+    assert!((4_900..5_100).contains(&upper), "{upper}");
+}
