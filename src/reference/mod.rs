@@ -2,6 +2,9 @@
 //!
 //! Imports nothing of the crate and shares no formula with a shader, so that agreement means something.
 
+pub mod footprint;
+pub mod moments;
 pub mod normal;
 pub mod quadrature;
+pub mod taps;
 pub mod texture;

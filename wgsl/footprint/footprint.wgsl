@@ -13,8 +13,9 @@
 /// Error: 4e-4 absolute; f32 rounding of variances up to 1e3.
 fn footprint_covariance(dpdx: vec2f, dpdy: vec2f, pixel_covariance: vec3f) -> vec3f {
     let column = sqrt(max(pixel_covariance.x, 1e-30));
-    let shear = pixel_covariance.y / column;
-    let rest = sqrt(max(pixel_covariance.z - shear * shear, 0.0));
+    let reach = sqrt(max(pixel_covariance.z, 0.0));
+    let shear = clamp(pixel_covariance.y / column, -reach, reach);
+    let rest = sqrt(max((reach - shear) * (reach + shear), 0.0));
     let limit = vec2f(1e9);
     let right = clamp(dpdx, -limit, limit);
     let down = clamp(dpdy, -limit, limit);
@@ -33,19 +34,10 @@ fn footprint_covariance(dpdx: vec2f, dpdy: vec2f, pixel_covariance: vec3f) -> ve
 /// Error: 2e-4 absolute; f32 rounding of variances up to 512.
 fn footprint_covariance_round(dpdx: vec2f, dpdy: vec2f, pixel_deviation: f32) -> vec3f {
     let limit = vec2f(1e9);
-    let a = clamp(dpdx, -limit, limit) * pixel_deviation;
-    let b = clamp(dpdy, -limit, limit) * pixel_deviation;
+    let deviation = clamp(pixel_deviation, 0.0, 1e9);
+    let a = clamp(dpdx, -limit, limit) * deviation;
+    let b = clamp(dpdy, -limit, limit) * deviation;
     return vec3f(a.x * a.x + b.x * b.x, a.x * a.y + b.x * b.y, a.y * a.y + b.y * b.y);
-}
-
-/// The covariance in the units of a position scaled by `scale`: from texture coordinates to texels, `scale` is the
-/// size.
-///
-/// Source: the definition, S Σ S with S = diag(scale).
-/// Domain: covariance psd(0.001, 4, 0.99), scale in [0.1, 8].
-/// Error: 3e-4 absolute; f32 rounding of variances up to 1024.
-fn footprint_scaled(covariance: vec3f, scale: vec2f) -> vec3f {
-    return covariance * vec3f(scale.x * scale.x, scale.x * scale.y, scale.y * scale.y);
 }
 
 /// Deviations of a covariance along its major and its minor axis, the major one first.
@@ -62,7 +54,7 @@ fn footprint_deviations(covariance: vec3f) -> vec2f {
     let c = clamp(covariance / scale, vec3f(-1.0), vec3f(1.0));
     let major = 0.5 * (c.x + c.z) + length(vec2f(0.5 * (c.x - c.z), c.y));
     let minor = max(c.x * c.z - c.y * c.y, 0.0) / max(major, 0.5);
-    return sqrt(vec2f(major, minor) * scale);
+    return sqrt(vec2f(max(major, 0.0), minor) * scale);
 }
 
 /// Unit vector along the major axis of a covariance; of the two opposite ones either. (1, 0) when no axis is longer.

@@ -63,6 +63,6 @@ fn taps_covariance(direction: vec2f, major: f32, minor: f32, taps: f32) -> vec3f
     let s = taps_deviation(major, minor, taps);
     let round = min(minor, s);
     let longer = (s - round) * (s + round);
-    let d = direction;
+    let d = clamp(direction, vec2f(-1.0), vec2f(1.0));
     return vec3f(longer * d.x * d.x + round * round, longer * d.x * d.y, longer * d.y * d.y + round * round);
 }
