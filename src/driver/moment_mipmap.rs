@@ -130,9 +130,9 @@ impl MomentMipmap {
 
     /// The pyramid as a texture: mean and deviation in the first two channels, further ones 0.
     ///
-    /// [`Format::Rg32Float`] keeps every digit. [`Format::Rg16Float`] halves the memory: eleven bits of the largest value,
-    /// which [`Table::error`] states; it serves where the values' distance from 0 is of the order of their range. The
-    /// shelf reads texels at their centers, so that no format needs to be filterable.
+    /// [`Format::Rg32Float`] keeps every digit. [`Format::Rg16Float`] halves the memory: eleven bits of the largest
+    /// value, which [`Table::error`] states; it serves where the values' distance from 0 is of the order of their
+    /// range. The shelf reads texels at their centers, so that no format needs to be filterable.
     ///
     /// # Errors
     /// [`Error::Value`] where a value does not fit 16 bits.
@@ -159,8 +159,8 @@ impl MomentMipmap {
 impl Grid {
     /// Moments of the bilinear reconstruction over the area of each texel of the image.
     ///
-    /// A texel's area is four quarters, in each of which the reconstruction is c + p x + q y + r x y about the quarter's
-    /// center, x and y in [−½, ½]: mean c, variance p²/12 + q²/12 + r²/144.
+    /// A texel's area is four quarters, in each of which the reconstruction is c + p x + q y + r x y about the
+    /// quarter's center, x and y in [−½, ½]: mean c, variance p²/12 + q²/12 + r²/144.
     fn reconstruction(width: usize, height: usize, values: &[f32], edge: Edge) -> Self {
         let neighbor = |at: usize, forward: bool, size: usize| match (edge, forward) {
             (Edge::Clamp, true) => (at + 1).min(size - 1),

@@ -65,8 +65,8 @@ impl Image {
 
     /// The mean of a function of the reconstruction over a Gaussian footprint about a position, in texels.
     ///
-    /// By the trapezoidal rule in `side`² points within 4.5 deviations along both axes of the footprint, turned a little
-    /// so that no row of points lies along a row of texels.
+    /// By the trapezoidal rule in `side`² points within 4.5 deviations along both axes of the footprint, turned a
+    /// little so that no row of points lies along a row of texels.
     pub fn mean<const N: usize>(
         &self,
         position: [f64; 2],
@@ -109,10 +109,11 @@ impl Image {
 
     /// Mean and deviation that reading a pyramid of the image is to give, from the image alone.
     ///
-    /// Level l divides the image into max(size >> l, 1) equal parts a side. Reading it weights the reconstruction by the
-    /// areas of the four parts around the position, bilinearly; level 0 is the reconstruction at the position. The kernel of
-    /// a level has the variance w²/4, w the longer side of its parts in texels (0 at level 0), and the levels on either
-    /// side of half the covariance's trace are mixed to that variance. `texels` are [`Self::over_texel`] of all texels.
+    /// Level l divides the image into max(size >> l, 1) equal parts a side. Reading it weights the reconstruction by
+    /// the areas of the four parts around the position, bilinearly; level 0 is the reconstruction at the position. The
+    /// kernel of a level has the variance w²/4, w the longer side of its parts in texels (0 at level 0), and the
+    /// levels on either side of half the covariance's trace are mixed to that variance. `texels` are
+    /// [`Self::over_texel`] of all texels.
     pub fn read(&self, texels: &[[f64; 2]], position: [f64; 2], covariance: [f64; 3]) -> [f64; 2] {
         let wanted = 0.5 * (covariance[0] + covariance[2]);
         let kernels = self.kernels();
@@ -172,8 +173,8 @@ impl Image {
         parts
     }
 
-    /// The variance of the plane that the reconstruction's cell is at a position, at most a quarter of the squared range
-    /// of its corners.
+    /// The variance of the plane that the reconstruction's cell is at a position, at most a quarter of the squared
+    /// range of its corners.
     fn plane(&self, position: [f64; 2], covariance: [f64; 3]) -> f64 {
         let [x, y] = [position[0] * self.width as f64, position[1] * self.height as f64];
         let (left, top) = ((x - 0.5).floor() + 0.5, (y - 0.5).floor() + 0.5);

@@ -20,6 +20,7 @@ struct moments_cell {
 /// Number of the last level, 1×1, of a pyramid.
 ///
 /// Source: levels halve and round down; computed from the size because WebGL2 does not count levels.
+/// Domain: every pyramid.
 /// Error: exact.
 fn moments_last(moments: texture_2d<f32>) -> i32 {
     let size = vec2f(textureDimensions(moments, 0));
