@@ -8,7 +8,9 @@ import { pathToFileURL } from 'node:url';
 
 const [home, folder] = process.argv.slice(2);
 const { create } = await import(pathToFileURL(resolve(home, 'node_modules/webgpu/index.js')));
-const adapter = await create(['backend=null']).requestAdapter();
+// Dawn's instance must outlive its devices, and the garbage collector does not know: a global keeps it.
+globalThis.gpu = create(['backend=null']);
+globalThis.adapter = await gpu.requestAdapter();
 const device = await adapter.requestDevice();
 // Refusals are read from getCompilationInfo; without a listener Dawn would print each of them a second time.
 device.addEventListener('uncapturederror', (event) => event.preventDefault());

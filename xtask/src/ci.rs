@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use crate::demand::{self, Demand};
 use crate::shaders;
-use crate::step::{cargo, root, run, Summary};
+use crate::step::{cargo, root, run, test_binary, Summary};
 
 /// Every check, one after the other: a failure does not hide the next one.
 pub fn ci() -> Result<(), String> {
@@ -21,6 +21,7 @@ pub fn ci() -> Result<(), String> {
         let mut doc = cargo(["doc", "--workspace", "--all-features", "--no-deps"]);
         run(doc.env("RUSTDOCFLAGS", "-D warnings"))
     });
+    summary.step("device", || demand::device(|| run(&mut test_binary("device")?)));
     summary.step("tests", || run(cargo(["test", "--workspace", "--all-features"]).env("INSTA_UPDATE", "no")));
     summary.step("snapshots", snapshots);
     summary.step("shaders", shaders::validate);

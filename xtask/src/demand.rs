@@ -70,6 +70,24 @@ pub fn meet(demands: &[Demand]) -> Result<(), String> {
     }
 }
 
+/// Asks a device for its name, and installs a driver where that is ours to do and none answers.
+///
+/// A driver's file on disk says little: in a container it may belong to a card that is not there.
+///
+/// # Errors
+/// No device answers, with the one command that installs a driver on this platform.
+pub fn device(ask: impl Fn() -> Result<(), String>) -> Result<(), String> {
+    let Err(message) = ask() else { return Ok(()) };
+    let platform = Platform::current();
+    let vulkan = [Demand::Vulkan];
+    if !platform.installs_by_itself() {
+        return Err(format!("{message}. {}", platform.instruction(&vulkan)));
+    }
+    println!("installing {}", names(&vulkan));
+    install(&platform.packages(&vulkan))?;
+    ask()
+}
+
 /// One sentence: what is missing and the command for it.
 pub fn advice(platform: Platform, missing: &[Demand]) -> String {
     format!("missing: {}. {}", names(missing), platform.instruction(missing))

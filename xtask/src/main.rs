@@ -11,7 +11,7 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 use demand::Demand;
-use step::{cargo, run};
+use step::{cargo, run, test_binary};
 
 /// The one entry for people and for CI.
 #[derive(Parser)]
@@ -56,10 +56,12 @@ fn main() -> ExitCode {
 
 fn demo(arguments: &[String]) -> Result<(), String> {
     demand::meet(&[Demand::Vulkan])?;
+    demand::device(|| run(&mut cargo(["run", "--quiet", "--release", "-p", "spirv-tests", "--bin", "device"])))?;
     run(cargo(["run", "--release", "-p", "spirv-tests", "--bin", "demo", "--"]).args(arguments))
 }
 
 fn test(arguments: &[String]) -> Result<(), String> {
     demand::meet(&[Demand::Vulkan, Demand::SpirvTools, Demand::Glslang])?;
+    demand::device(|| run(&mut test_binary("device")?))?;
     run(cargo(["test", "--workspace", "--all-features"]).args(arguments))
 }

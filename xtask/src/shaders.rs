@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use crate::demand::npm;
-use crate::step::{cargo, root, run};
+use crate::step::{root, run, test_binary};
 
 /// Dawn for Node.js, whose null backend needs no driver.
 const DAWN: &str = "webgpu@0.6.2";
@@ -15,17 +15,9 @@ pub fn validate() -> Result<(), String> {
     if corpus.exists() {
         std::fs::remove_dir_all(&corpus).map_err(|error| format!("{}: {error}", corpus.display()))?;
     }
-    // Built with the features of the tests, so that nothing is compiled twice.
-    run(cargo(["build", "--workspace", "--all-features", "--bin", "corpus"]).env("CARGO_TERM_QUIET", "true"))?;
-    run(Command::new(sibling("corpus")?).arg(&corpus).current_dir(root()))?;
+    run(test_binary("corpus")?.arg(&corpus))?;
     spirv(&corpus)?;
     tint(&corpus)
-}
-
-/// A binary that cargo has put next to this one.
-fn sibling(name: &str) -> Result<PathBuf, String> {
-    let own = std::env::current_exe().map_err(|error| error.to_string())?;
-    Ok(own.with_file_name(format!("{name}{}", std::env::consts::EXE_SUFFIX)))
 }
 
 /// `NAME.spv` are Vulkan shaders; `NAME.module.spv` are modules without an entry point, for a linker.

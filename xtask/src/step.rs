@@ -11,15 +11,30 @@ pub fn root() -> PathBuf {
     package.parent().unwrap_or(package).to_owned()
 }
 
-/// A cargo command in the workspace's folder, with the environment that Vulkan's drivers want.
+/// A cargo command.
 pub fn cargo<const N: usize>(arguments: [&str; N]) -> Command {
     let mut command = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
-    command.args(arguments).current_dir(root());
+    command.args(arguments);
+    prepare(&mut command);
+    command
+}
+
+/// A command of `spirv-tests`, built with the features and the profile of the tests so that nothing is compiled twice.
+pub fn test_binary(name: &'static str) -> Result<Command, String> {
+    run(&mut cargo(["build", "--quiet", "--workspace", "--all-features", "--bin", name]))?;
+    let own = std::env::current_exe().map_err(|error| error.to_string())?;
+    let mut command = Command::new(own.with_file_name(format!("{name}{}", std::env::consts::EXE_SUFFIX)));
+    prepare(&mut command);
+    Ok(command)
+}
+
+/// The workspace's folder, and the environment that Vulkan's drivers want.
+fn prepare(command: &mut Command) {
+    command.current_dir(root());
     if cfg!(unix) && std::env::var_os("XDG_RUNTIME_DIR").is_none() {
         // Mesa looks for a display there, and says so on every start when it is unset.
         command.env("XDG_RUNTIME_DIR", std::env::temp_dir());
     }
-    command
 }
 
 /// Runs a command that talks to the terminal and fails as it fails.
