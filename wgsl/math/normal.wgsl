@@ -1,9 +1,10 @@
 // The standard normal distribution: its cumulative function and its mean excess.
 //
 // The precise forms are 1/(1 + q(x))^(2^n) with a positive polynomial q: monotone, without exp, and free of overflow
-// once x is clamped. Squaring goes by (1 + q)² − 1 = q (2 + q), which keeps the digits of a small q: rounding 1 + q first
-// would cost eight times the error. The coefficients are minimax fits of the notes behind the crate; `spirv-tests` measures every one of them
-// against quadrature, and the promise below each function is what those tests enforce.
+// once x is clamped. Squaring goes by (1 + q)² − 1 = q (2 + q), which keeps the digits of a small q: rounding 1 + q
+// first would cost eight times the error. The coefficients are minimax fits of the notes behind the crate;
+// `spirv-tests` measures every one of them against quadrature, and the promise below each function is what those tests
+// enforce.
 
 /// Probability that a standard normal variable is below `x`.
 ///

@@ -1,7 +1,7 @@
 //! Writes every module that other validators must accept into a folder: `NAME.wgsl` with its SPIR-V.
 //!
-//! Those are the files of the shelf, each with what it needs of the others, and the modules of the snapshot scenes, with
-//! probes that call every export from a fragment and from a compute shader.
+//! Those are the files of the shelf, each with what it needs of the others, and the modules of the snapshot scenes,
+//! with probes that call every export from a fragment and from a compute shader.
 //!
 //! `NAME.module.spv` is SPIR-V without an entry point, for a linker (`spirv-val --target-env spv1.3`); `NAME.spv` is a
 //! Vulkan shader (`--target-env vulkan1.1`).
