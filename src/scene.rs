@@ -5,6 +5,7 @@ use std::fmt::Write;
 
 use crate::accuracy::{Accuracy, Bound, Ranges};
 use crate::cost::{self, Cost};
+use crate::driver::Driver;
 use crate::filter::texture::{color_type, filter, Filter};
 use crate::filter::{Kernel, Tier};
 use crate::module::{Export, Module};
@@ -31,6 +32,7 @@ pub struct Scene {
     tier: Option<Tier>,
     accuracy: Accuracy,
     ranges: Ranges,
+    driver: Option<Driver>,
 }
 
 /// Tiers from which an accuracy chooses; a tie in weight goes to the earlier.
@@ -55,6 +57,7 @@ impl Scene {
             tier: None,
             accuracy: Accuracy::default(),
             ranges: Ranges::default(),
+            driver: None,
         }
     }
 
@@ -88,6 +91,21 @@ impl Scene {
         Self { ranges, ..self }
     }
 
+    /// Where mean and deviation come from. Exports `NAME_color(position, dpdx, dpdy, …)` besides `NAME_texture`.
+    ///
+    /// ```
+    /// use prefilter::{ColorMap, Driver, Moments, Scene, Taps};
+    /// let map = ColorMap::gradient([(0.0, [0.0, 0.1, 0.2]), (1.0, [1.0, 0.9, 0.8])])?;
+    /// let taps = Moments { taps: Taps::Eight, ..Moments::default() };
+    /// let module = Scene::new("rock").texture(map).driver(Driver::Moments(taps)).module()?;
+    /// assert_eq!(module.exports()[1].name, "rock_color");
+    /// # Ok::<(), prefilter::Error>(())
+    /// ```
+    #[must_use]
+    pub fn driver(self, driver: Driver) -> Self {
+        Self { driver: Some(driver), ..self }
+    }
+
     /// Generates, links and validates the module. Tables take up to a second to bake; closed forms well below 5 ms.
     ///
     /// # Errors
@@ -97,6 +115,7 @@ impl Scene {
         name::check(&self.name)?;
         self.ranges.check()?;
         self.accuracy.check()?;
+        self.driver.map_or(Ok(()), |driver| driver.check())?;
         let Some(map) = &self.texture else {
             return Err(Error::Conflict(format!("the scene `{}` filters nothing; give it a `texture`", self.name)));
         };
@@ -148,7 +167,8 @@ impl Scene {
         let linked = prefilter_wgsl::link(&glue)
             .map_err(|collision| Error::Collision { path: path.clone(), collision })
             .and_then(|text| Shader::new(&path, text))?;
-        let trips = BTreeMap::from([("texture_knots".to_owned(), filter.trips)]);
+        let mut trips = BTreeMap::from([("texture_knots".to_owned(), filter.trips)]);
+        trips.extend(self.driver.map(|driver| (format!("{}_color", self.name), driver.trips())));
         let (module, info) = linked.parsed();
         let table_bytes = filter.tables.iter().map(Table::bytes).sum();
         let calls = exports(&glue).into_iter().map(|export| cost::call(module, info, &export.name, &trips));
@@ -165,7 +185,12 @@ impl Scene {
         let color = color_type(map);
         let _ =
             writeln!(glue, "fn {name}_texture(mean: f32, deviation: f32{}) -> {color} {{", parameters(&filter.tables));
-        glue + &filter.body + "}\n"
+        glue = glue + &filter.body + "}\n";
+        if let Some(driver) = self.driver {
+            glue.push('\n');
+            glue += &driver.glue(name, color, &parameters(&filter.tables), &arguments(&filter.tables));
+        }
+        glue
     }
 
     fn explain(&self, chosen: &Candidate, passed: &[Candidate]) -> String {
@@ -207,6 +232,15 @@ fn parameters(tables: &[Table]) -> String {
         Sampling::Filtered => format!(", {0}: texture_2d<f32>, {0}_sampler: sampler", table.name),
     };
     tables.iter().map(parameter).collect()
+}
+
+/// `, table, table_sampler` for each table.
+fn arguments(tables: &[Table]) -> String {
+    let argument = |table: &Table| match table.sampling {
+        Sampling::Loaded => format!(", {}", table.name),
+        Sampling::Filtered => format!(", {0}, {0}_sampler", table.name),
+    };
+    tables.iter().map(argument).collect()
 }
 
 /// Every function of the glue.

@@ -16,7 +16,6 @@ pub enum Driver {
     Moments(Moments),
 }
 
-#[allow(dead_code, reason = "scenes do not take drivers yet")]
 impl Driver {
     /// Whether the description can be used.
     ///
@@ -25,6 +24,13 @@ impl Driver {
     pub(crate) fn check(&self) -> Result<(), Error> {
         match self {
             Self::Moments(moments) => moments.check(),
+        }
+    }
+
+    /// Turns of the loop in `NAME_color`.
+    pub(crate) fn trips(&self) -> usize {
+        match self {
+            Self::Moments(moments) => moments.taps.count() as usize,
         }
     }
 
