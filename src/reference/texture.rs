@@ -33,24 +33,26 @@ pub fn mean(map: &PiecewiseLinear, mean: f64, deviation: f64) -> [f64; 4] {
     if deviation <= 0.0 {
         return map.value(mean);
     }
-    let reach = REACH * deviation;
-    let (low, high) = (mean - reach, mean + reach);
-    let inside = map.knots.iter().map(|knot| knot.0).filter(|&at| low < at && at < high);
-    let mut from = low;
     let mut sum = [0.0; 4];
-    for to in inside.chain([high]) {
-        let middle = 0.5 * (from + to);
-        let (start, end) = (map.value(from), map.value(middle));
-        let slope = if to > from { 1.0 / (middle - from) } else { 0.0 };
-        let piece: [f64; 4] = integrate(from, to, 2.0 * deviation, |at| {
-            let weight = density((at - mean) / deviation) / deviation;
-            let along = (at - from) * slope;
-            std::array::from_fn(|channel| weight * (start[channel] + along * (end[channel] - start[channel])))
+    // In standard units about the mean: positions would lose the digits of a small deviation.
+    let standard = |at: f64| ((at - mean) / deviation).clamp(-REACH, REACH);
+    let mut add = |from: f64, to: f64, start: (f64, [f64; 4]), slope: [f64; 4]| {
+        let piece: [f64; 4] = integrate(from, to, 2.0, |z| {
+            let along = (mean - start.0) + deviation * z;
+            std::array::from_fn(|channel| density(z) * (start.1[channel] + along * slope[channel]))
         });
         for (total, value) in sum.iter_mut().zip(piece) {
             *total += value;
         }
-        from = to;
+    };
+    if let (Some(first), Some(last)) = (map.knots.first(), map.knots.last()) {
+        add(-REACH, standard(first.0), (first.0, first.1), [0.0; 4]);
+        add(standard(last.0), REACH, (last.0, last.2), [0.0; 4]);
+    }
+    for pair in map.knots.windows(2) {
+        let [(at, _, right), (next, left, _)] = [pair[0], pair[1]];
+        let slope = std::array::from_fn(|channel| (left[channel] - right[channel]) / (next - at));
+        add(standard(at), standard(next), (at, right), slope);
     }
     sum
 }
