@@ -126,15 +126,14 @@ impl Image {
         };
         let mut parts = self.parts(texels, position, fine, 1.0 - share);
         parts.extend(self.parts(texels, position, coarse, share));
-        let mean: f64 = parts.iter().map(|(weight, [mean, _])| weight * mean).sum();
-        let mut variance: f64 =
-            parts.iter().map(|(weight, [center, own])| weight * (own + (center - mean) * (center - mean))).sum();
+        let [mean, mut variance] = total(&parts);
         if wanted < 1.0 {
             // All of the plane up to a deviation of ¼, none from 1, linear in the logarithm.
+            let texel = [position[0] * self.width as f64, position[1] * self.height as f64];
             let share = (libm::log(wanted.sqrt() / 0.25) / libm::log(4.0)).clamp(0.0, 1.0);
-            variance = share * variance + (1.0 - share) * self.plane(position, covariance);
+            variance = share * variance + (1.0 - share) * self.plane(texel, covariance);
         }
-        [mean, variance.sqrt()]
+        [mean, variance.max(0.0).sqrt()]
     }
 
     /// The variance of the kernel of each level.
@@ -151,7 +150,7 @@ impl Image {
     }
 
     /// The number of parts of a level, across and down.
-    fn level(&self, level: usize) -> [usize; 2] {
+    pub fn level(&self, level: usize) -> [usize; 2] {
         [self.width, self.height].map(|size| (size >> level).max(1))
     }
 
@@ -162,21 +161,55 @@ impl Image {
             return vec![(share, [self.value(x, y), 0.0])];
         }
         let [width, height] = self.level(level);
-        let columns = weights(position[0], width, self.width, self.beyond);
-        let rows = weights(position[1], height, self.height, self.beyond);
+        let (left, right) = between(position[0], width);
+        let (above, below) = between(position[1], height);
         let mut parts = Vec::new();
-        for (y, row) in rows.iter().enumerate().filter(|(_, row)| **row > 0.0) {
-            for (x, column) in columns.iter().enumerate().filter(|(_, column)| **column > 0.0) {
-                parts.push((share * row * column, texels[y * self.width + x]));
+        for (row, down) in [(above, 1.0 - (below - above)), (above + 1.0, below - above)] {
+            for (column, across) in [(left, 1.0 - (right - left)), (left + 1.0, right - left)] {
+                let weight = share * down * across;
+                let covered = self.covered(texels, level, column as i64, row as i64);
+                parts.extend(covered.into_iter().map(|(area, moments)| (weight * area, moments)));
             }
         }
         parts
     }
 
-    /// The variance of the plane that the reconstruction's cell is at a position, at most a quarter of the squared
-    /// range of its corners.
-    fn plane(&self, position: [f64; 2], covariance: [f64; 3]) -> f64 {
-        let [x, y] = [position[0] * self.width as f64, position[1] * self.height as f64];
+    /// The texels that a part of a level covers, weighted by the area; the part may be beyond the edges.
+    fn covered(&self, texels: &[[f64; 2]], level: usize, column: i64, row: i64) -> Vec<(f64, [f64; 2])> {
+        let [width, height] = self.level(level);
+        let columns = shares(stands_at(column, width, self.beyond), width, self.width);
+        let rows = shares(stands_at(row, height, self.beyond), height, self.height);
+        let mut covered = Vec::new();
+        for &(y, down) in &rows {
+            covered.extend(columns.iter().map(|&(x, across)| (down * across, texels[y * self.width + x])));
+        }
+        covered
+    }
+
+    /// The four parts of a level around a position (means, then deviations), and the position's place between their
+    /// centers.
+    pub fn cell(&self, texels: &[[f64; 2]], position: [f64; 2], level: usize) -> [f64; 10] {
+        let [width, height] = self.level(level);
+        let (left, x) = between(position[0], width);
+        let (above, y) = between(position[1], height);
+        let mut cell = [0.0; 10];
+        for (number, (i, j)) in [(0, 0), (1, 0), (0, 1), (1, 1)].into_iter().enumerate() {
+            let (column, row) = (left as i64 + i, above as i64 + j);
+            let parts = match level {
+                0 => vec![(1.0, [self.texel(column, row), 0.0])],
+                _ => self.covered(texels, level, column, row),
+            };
+            let [mean, variance] = total(&parts);
+            (cell[number], cell[4 + number]) = (mean, variance.sqrt());
+        }
+        (cell[8], cell[9]) = (x - left, y - above);
+        cell
+    }
+
+    /// The variance of the plane that the reconstruction's cell is at a position in texels, at most a quarter of the
+    /// squared range of its corners.
+    pub fn plane(&self, position: [f64; 2], covariance: [f64; 3]) -> f64 {
+        let [x, y] = position;
         let (left, top) = ((x - 0.5).floor() + 0.5, (y - 0.5).floor() + 0.5);
         // A bilinear cell is linear along rows and columns: differences from side to side are its derivatives.
         let gradient = [self.value(left + 1.0, y) - self.value(left, y), self.value(x, top + 1.0) - self.value(x, top)];
@@ -189,19 +222,23 @@ impl Image {
     }
 }
 
-/// The weight of every texel of a side of `size` when two neighbors of `count` equal parts are mixed at a position.
-fn weights(position: f64, count: usize, size: usize, beyond: Beyond) -> Vec<f64> {
+/// The center below a position among those of `count` equal parts, and the position, both in parts from the first center.
+fn between(position: f64, count: usize) -> (f64, f64) {
     let at = position * count as f64 - 0.5;
-    let first = at.floor();
-    let mut weights = vec![0.0; size];
-    for (part, share) in [(first, 1.0 - (at - first)), (first + 1.0, at - first)] {
-        let part = stands_at(part as i64, count, beyond) as f64;
-        let length = size as f64 / count as f64;
-        for (texel, weight) in weights.iter_mut().enumerate() {
-            let texel = texel as f64;
-            let covered = ((part + 1.0) * length).min(texel + 1.0) - (part * length).max(texel);
-            *weight += share * covered.max(0.0) / length;
-        }
-    }
-    weights
+    (at.floor(), at)
+}
+
+/// Which of `size` texels one of `count` equal parts of a side covers, and the share of its length.
+fn shares(part: usize, count: usize, size: usize) -> Vec<(usize, f64)> {
+    let length = size as f64 / count as f64;
+    let (from, to) = (part as f64 * length, (part as f64 + 1.0) * length);
+    let covered = |texel: usize| (to.min(texel as f64 + 1.0) - from.max(texel as f64)).max(0.0) / length;
+    (0..size).map(|texel| (texel, covered(texel))).filter(|(_, share)| *share > 0.0).collect()
+}
+
+/// Mean and variance of weighted parts.
+fn total(parts: &[(f64, [f64; 2])]) -> [f64; 2] {
+    let mean: f64 = parts.iter().map(|(weight, [mean, _])| weight * mean).sum();
+    let from_mean = |(weight, [center, own]): &(f64, [f64; 2])| weight * (own + (center - mean) * (center - mean));
+    [mean, parts.iter().map(from_mean).sum()]
 }

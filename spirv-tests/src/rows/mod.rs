@@ -3,8 +3,11 @@
 //! A reference is the function's definition by another method: an integral by quadrature, an inverse by bisection. It
 //! never repeats a shader's formula.
 
+mod footprint;
 mod grid;
+mod moments;
 mod normal;
+mod taps;
 mod texture;
 
 use std::fmt;
@@ -112,7 +115,8 @@ impl Row {
 
 /// All rows.
 pub fn all() -> Vec<Row> {
-    [grid::rows(), normal::rows(), texture::rows()].into_iter().flatten().collect()
+    let rooms = [footprint::rows(), grid::rows(), moments::rows(), normal::rows(), taps::rows(), texture::rows()];
+    rooms.into_iter().flatten().collect()
 }
 
 /// A sentence for every function without a row and every row without a function.
