@@ -21,7 +21,7 @@ pub struct Cost {
 }
 
 impl Cost {
-    /// One number to compare by: a fetch weighs as much as [`FETCH`] operations.
+    /// One number to compare by: a fetch weighs as much as 64 operations.
     pub fn weight(self) -> usize {
         self.operations + FETCH * self.fetches
     }

@@ -38,7 +38,7 @@ fn a_planted_error_is_named_by_its_place() {
     assert!(found[0].contains(&format!("┌─ wgsl/filter/texture.wgsl:{call}\n")), "{}", found[0]);
 
     let semicolon = place("math/normal.wgsl", "let tail");
-    let found = faults("math/normal.wgsl", "p *= p;\n    let", "p *= p\n    let");
+    let found = faults("math/normal.wgsl", "q;\n    let tail", "q\n    let tail");
     assert_eq!(found.len(), 1, "{found:?}");
     assert!(found[0].starts_with(&format!("wgsl/math/normal.wgsl:{semicolon}: expected ")), "{}", found[0]);
 }
