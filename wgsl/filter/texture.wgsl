@@ -67,7 +67,7 @@ fn texture_ramp(distance: f32, width: f32, deviation: f32) -> f32 {
 ///
 /// Source: Heitz et al. 2014, equation 9, for a piecewise-linear map.
 /// Domain: mean in [-0.5, 1.5], deviation log in [1e-6, 0.5].
-/// Error: 8e-5 absolute; of the narrow ramps, for colors in [0, 1].
+/// Error: 1.2e-5 absolute; that of `texture_ramp`, for up to 32 knots with colors in [0, 1].
 fn texture_knots(mean: f32, deviation: f32, knots: texture_2d<f32>) -> vec4f {
     let last = i32(textureDimensions(knots).x) - 1;
     var left = textureLoad(knots, vec2i(0, 0), 0);

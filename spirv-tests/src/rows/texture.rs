@@ -1,8 +1,12 @@
 //! C0: means of color maps over a normal variable, by quadrature of the map times the density.
 
+use prefilter::gpu::Address;
 use prefilter::reference::texture::{mean, PiecewiseLinear};
+use prefilter::table::{Format, Level, Sampling, Table};
+use prefilter::{ColorMap, Ranges, Scene, Tier};
 
 use super::Row;
+use crate::maps;
 
 /// A map of one channel: its knots with the values on the left and on the right.
 fn map(knots: &[(f64, f64, f64)]) -> PiecewiseLinear {
@@ -30,11 +34,48 @@ fn ramp(x: &[f64]) -> [f64; 1] {
     [value]
 }
 
+/// The map's mean; the first two numbers are the variable's mean and deviation.
+fn colors(map: &ColorMap) -> impl Fn(&[f64]) -> [f64; 4] {
+    let map = map.reference();
+    move |x| mean(&map, x[0], x[1])
+}
+
+/// A row of `texture_knots` for a map whose knots are laid out by hand.
+fn knots(map: &ColorMap) -> Row {
+    let all = || map.knots().iter();
+    let lines = [
+        all().flat_map(|knot| knot.left).collect::<Vec<f32>>(),
+        all().flat_map(|knot| knot.right).collect(),
+        all().flat_map(|knot| [knot.position, 0.0, 0.0, 0.0]).collect(),
+    ];
+    let level = Level { width: map.knots().len() as u32, height: 3, texels: lines.concat() };
+    let (format, sampling) = (Format::Rgba32Float, Sampling::Loaded);
+    let table = Table { name: "knots".into(), format, sampling, levels: vec![level], error: 0.0 };
+    let breakpoints: Vec<[f64; 2]> = all().flat_map(|knot| [1e-6, 0.01].map(|s| [knot.position.into(), s])).collect();
+    Row::new("texture_knots", colors(map)).table(table, Address::Clamp).at(breakpoints)
+}
+
+/// A row of `texture_table` for a map over the whole domain.
+fn table(map: &ColorMap) -> Row {
+    let ranges = Ranges { mean: (-0.25, 1.25), deviation: 0.5 };
+    let scene = Scene::new("judged").texture(map.clone()).tier(Tier::Table).ranges(ranges);
+    let table = scene.module().expect("the ranges are those of the contract").tables()[0].clone();
+    Row::new("texture_table", colors(map)).table(table, Address::Clamp)
+}
+
 pub(super) fn rows() -> Vec<Row> {
     let steps = [[0.0, 1e-6], [0.0, 0.5], [8e-6, 1e-6], [-0.8, 0.1], [0.6, 0.1]];
     // Narrow ramps turn into steps at width/deviation = 0.02.
     let widths = [0.0, 0.2, -0.3, 1.0].map(|reach| [reach * 0.3, 0.02 * 0.3, 0.3]);
+    let terrain = maps::named("terrain").expect("the file holds terrain");
+    let hard = maps::random(32, true, 7).expect("32 stops are a map");
+    let edge =
+        ColorMap::gradient([(0.3, [0.2, 0.9, 0.1, 1.0]), (0.3, [0.8, 0.1, 0.4, 0.0])]).expect("an edge is a map");
     vec![
+        knots(&terrain),
+        knots(&hard),
+        knots(&edge),
+        table(&terrain),
         Row::new("texture_kink", kink).at(steps),
         Row::new("texture_kink_fast", kink).at(steps),
         Row::new("texture_step", step).at(steps),
