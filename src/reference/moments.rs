@@ -222,7 +222,8 @@ impl Image {
     }
 }
 
-/// The center below a position among those of `count` equal parts, and the position, both in parts from the first center.
+/// The center below a position among those of `count` equal parts, and the position, both in parts from the first
+/// center.
 fn between(position: f64, count: usize) -> (f64, f64) {
     let at = position * count as f64 - 0.5;
     (at.floor(), at)

@@ -60,7 +60,7 @@ fn moments_kernel(moments: texture_2d<f32>, level: i32) -> f32 {
 ///
 /// Source: the definition of bilinear filtering.
 /// Domain: position in [-1, 2], level integer in [0, 9].
-/// Error: 2e-6 absolute; the fraction, from the rounding of position times size: in proportion to the size, here up to 16.
+/// Error: 2e-6 absolute; the fraction, from the rounding of position times size: in proportion to the size, up to 16.
 fn moments_texels(moments: texture_2d<f32>, moments_sampler: sampler, position: vec2f, level: i32) -> moments_cell {
     let held = clamp(level, 0, moments_last(moments));
     let size = moments_size(moments, held);

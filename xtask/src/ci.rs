@@ -8,7 +8,7 @@ use crate::step::{cargo, root, run, test_binary, Summary};
 
 /// Every check, one after the other: a failure does not hide the next one.
 pub fn ci() -> Result<(), String> {
-    demand::meet(&[Demand::Vulkan, Demand::SpirvTools, Demand::Glslang, Demand::Node])?;
+    demand::meet(&[Demand::Vulkan, Demand::SpirvTools, Demand::Glslang, Demand::Node, Demand::Npm])?;
     let mut summary = Summary::default();
     summary.step("format", || run(&mut cargo(["fmt", "--all", "--check"])));
     summary.step("lints, all features", || {

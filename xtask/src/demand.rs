@@ -14,8 +14,10 @@ pub enum Demand {
     SpirvTools,
     /// `glslangValidator`.
     Glslang,
-    /// Node.js 18 or later with npm, for Dawn's Tint.
+    /// Node.js 18 or later, for Dawn's Tint.
     Node,
+    /// npm, which fetches Dawn.
+    Npm,
 }
 
 impl Demand {
@@ -24,7 +26,8 @@ impl Demand {
             Self::Vulkan => Platform::has_vulkan(),
             Self::SpirvTools => answers("spirv-val"),
             Self::Glslang => answers("glslangValidator"),
-            Self::Node => node_version().is_some_and(|major| major >= 18) && answers(npm()),
+            Self::Node => node_version().is_some_and(|major| major >= 18),
+            Self::Npm => answers(npm()),
         }
     }
 
@@ -33,7 +36,8 @@ impl Demand {
             Self::Vulkan => "a Vulkan driver",
             Self::SpirvTools => "spirv-val",
             Self::Glslang => "glslangValidator",
-            Self::Node => "Node.js 18 with npm",
+            Self::Node => "Node.js 18",
+            Self::Npm => "npm",
         }
     }
 }
@@ -60,8 +64,14 @@ pub fn meet(demands: &[Demand]) -> Result<(), String> {
     if !platform.installs_by_itself() {
         return Err(advice(platform, &missing));
     }
-    println!("installing {}", names(&missing));
-    install(&platform.packages(&missing))?;
+    update()?;
+    for demand in &missing {
+        // Some distributors' Node.js brings npm and conflicts with the package of that name.
+        if !demand.is_met() {
+            println!("installing {}", demand.name());
+            install(&platform.packages(&[*demand]))?;
+        }
+    }
     let still: Vec<Demand> = missing.into_iter().filter(|demand| !demand.is_met()).collect();
     if still.is_empty() {
         Ok(())
@@ -84,6 +94,7 @@ pub fn device(ask: impl Fn() -> Result<(), String>) -> Result<(), String> {
         return Err(format!("{message}. {}", platform.instruction(&vulkan)));
     }
     println!("installing {}", names(&vulkan));
+    update()?;
     install(&platform.packages(&vulkan))?;
     ask()
 }
@@ -97,9 +108,12 @@ fn names(demands: &[Demand]) -> String {
     demands.iter().map(|demand| demand.name()).collect::<Vec<_>>().join(", ")
 }
 
-/// Package lists are fetched once more when the first attempt fails: mirrors do, now and then.
+/// Fetches the lists of packages, once more when the first attempt fails: mirrors do, now and then.
+fn update() -> Result<(), String> {
+    run(&mut apt(&["update"])).or_else(|_| run(&mut apt(&["update"])))
+}
+
 fn install(packages: &[&str]) -> Result<(), String> {
-    run(&mut apt(&["update"])).or_else(|_| run(&mut apt(&["update"])))?;
     run(apt(&["install", "-y", "--no-install-recommends"]).args(packages))
 }
 

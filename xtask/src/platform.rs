@@ -72,8 +72,10 @@ impl Platform {
             (Self::Debian { .. }, Demand::Glslang) => &["glslang-tools"],
             (_, Demand::Glslang) => &["glslang"],
             (Self::Mac, Demand::Node) => &["node"],
-            (Self::Fedora, Demand::Node) => &["nodejs", "nodejs-npm"],
-            (_, Demand::Node) => &["nodejs", "npm"],
+            (_, Demand::Node) => &["nodejs"],
+            (Self::Mac, Demand::Npm) => &[],
+            (Self::Fedora, Demand::Npm) => &["nodejs-npm"],
+            (_, Demand::Npm) => &["npm"],
         }
     }
 
@@ -138,7 +140,7 @@ fn has_manifest(folder: &Path) -> bool {
 mod tests {
     use super::*;
 
-    const ALL: [Demand; 4] = [Demand::Vulkan, Demand::SpirvTools, Demand::Glslang, Demand::Node];
+    const ALL: [Demand; 5] = [Demand::Vulkan, Demand::SpirvTools, Demand::Glslang, Demand::Node, Demand::Npm];
 
     #[test]
     fn release_files_name_their_family() {

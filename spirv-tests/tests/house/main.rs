@@ -1,4 +1,4 @@
-//! The rules of the house, read from the files themselves: dependencies, the shelf's lint, names, sizes, words.
+//! The rules of the house, read from the files themselves: rooms, dependencies, the shelf's lint, names, sizes, words.
 //!
 //! Every check takes a tree of files and returns its findings, one line each that begins with the file; its own tests
 //! plant the fault that it must find.
@@ -8,6 +8,7 @@ mod lint;
 mod names;
 #[path = "../../../src/reserved.rs"]
 mod reserved;
+mod rooms;
 mod rust;
 mod shelf_edges;
 mod sizes;
@@ -24,6 +25,11 @@ fn clean(check: fn(&Tree) -> Vec<String>) {
     assert!(tree.files.len() > 20, "the tree holds {} files: not the workspace", tree.files.len());
     let findings = check(&tree);
     assert!(findings.is_empty(), "{} findings:\n{}", findings.len(), findings.join("\n"));
+}
+
+#[test]
+fn every_concept_has_its_rooms() {
+    clean(rooms::findings);
 }
 
 #[test]
