@@ -3,7 +3,8 @@
 use std::error::Error;
 use std::ops::Range;
 
-use naga::valid::{Capabilities, ValidationFlags, Validator};
+use naga::valid::{Capabilities, ValidationError, ValidationFlags, Validator};
+use naga::{Function, Module, WithSpan};
 
 /// The first thing that naga has against a text.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -36,12 +37,34 @@ pub fn check(path: &str, source: &str) -> Result<(), Fault> {
         excerpt: excerpt(source, &error.emit_to_string_with_path(source, path)),
     })?;
     let checked = Validator::new(ValidationFlags::all(), Capabilities::empty()).validate(&module);
-    checked.map(drop).map_err(|error| Fault {
-        message: chain(error.as_inner()),
-        // naga marks the function as well as the expression: the shortest mark says most.
-        range: error.spans().filter_map(|(span, _)| span.to_range()).min_by_key(ExactSizeIterator::len),
-        excerpt: without_notes(&excerpt(source, &error.emit_to_string_with_path(source, path))),
+    checked.map(drop).map_err(|error| {
+        let error = with_place(error, &module);
+        Fault {
+            message: chain(error.as_inner()),
+            // naga marks the function as well as the expression: the shortest mark says most.
+            range: error.spans().filter_map(|(span, _)| span.to_range()).min_by_key(ExactSizeIterator::len),
+            excerpt: without_notes(&excerpt(source, &error.emit_to_string_with_path(source, path))),
+        }
     })
+}
+
+/// A built-in type has no place of its own: marks what uses it first, a variable of the module or else a function.
+fn with_place(error: WithSpan<ValidationError>, module: &Module) -> WithSpan<ValidationError> {
+    let handle = match error.as_inner() {
+        ValidationError::Type { handle, .. } if error.spans().len() == 0 => *handle,
+        _ => return error,
+    };
+    let variable = module.global_variables.iter().find(|(_, variable)| variable.ty == handle);
+    let uses = |function: &Function| {
+        let mut types =
+            function.arguments.iter().map(|argument| argument.ty).chain(function.result.iter().map(|it| it.ty));
+        types.any(|ty| ty == handle) || function.local_variables.iter().any(|(_, variable)| variable.ty == handle)
+    };
+    let function = || module.functions.iter().find(|(_, function)| uses(function));
+    let span = variable
+        .map(|(variable, _)| module.global_variables.get_span(variable))
+        .or_else(|| function().map(|(function, _)| module.functions.get_span(function)));
+    error.with_span(span.unwrap_or_default(), "here")
 }
 
 /// `line:column` of a byte, both from 1, the column in characters.

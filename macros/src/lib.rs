@@ -29,11 +29,12 @@ use proc_macro::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenSt
 ///
 /// # Errors
 /// A compile error at the literal that starts with `shaders/terrain.wgsl:12:7:` (line and column in characters, both
-/// from 1) and ends with naga's excerpt, where
+/// from 1; naga names no place for a few whole-module errors) and ends with naga's excerpt, where
 /// - the text is not WGSL, or naga's validator refuses it: it runs with every check and no capability flag, so that
 ///   what passes needs no optional feature of a device (`f16`, cube arrays, push constants and the like do not pass);
 /// - it uses a name that neither it nor the shelf declares; a shelf name that resembles it is suggested;
-/// - it declares a name of the shelf; the message names both places.
+/// - it declares a name of the shelf, or a name that hides a built-in function or type from a shelf function that it
+///   uses (`fn select`, `alias f32`); the message names both places.
 ///
 /// A file that is missing or no UTF-8 and an argument that is not one string literal are compile errors, too.
 ///

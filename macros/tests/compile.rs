@@ -27,7 +27,8 @@ fn messages_name_the_place() {
     place_shaders();
     let cases = trybuild::TestCases::new();
     cases.pass("tests/cases/good.rs");
-    for case in ["syntax_error", "type_error", "unknown_name", "open_brace", "collision", "missing_file", "argument"] {
+
+    for case in ["syntax_error", "type_error", "unknown_name", "open_brace", "missing_file", "argument"] {
         cases.compile_fail(format!("tests/cases/{case}.rs"));
     }
 }

@@ -1,3 +1,3 @@
 fn snow(mean: f32, deviation: f32) -> vec3f {
-    return texture_step(mean - 0.7, deviation);
+    return mean / deviation;
 }
