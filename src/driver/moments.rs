@@ -5,7 +5,21 @@ use crate::Error;
 /// A driver that reads mean and deviation over the pixel's footprint from a
 /// [`MomentMipmap`](crate::driver::moment_mipmap::MomentMipmap), and averages colors over taps along its major axis.
 ///
-/// What one normal distribution cannot say of a long footprint, several can.
+/// What one normal distribution cannot say of a long footprint, several can. Root mean square errors of the color, in
+/// thousandths, against the integral over the image's bilinear reconstruction (minor deviations of 0.15, 0.6 and 2.5
+/// texels; `spirv-tests/tests/driver` measures them again):
+///
+/// | image, map, aspect of the footprint | point | 1 tap | 2 | 4 | 8 |
+/// |---|---|---|---|---|---|
+/// | gravel, six hard steps, 1:1 | 121 | 29 | 29 | 29 | 29 |
+/// | 4:1 | 151 | 45 | 32 | 22 | 17 |
+/// | 16:1 | 181 | 56 | 47 | 34 | 22 |
+/// | elevations, terrain, 1:1 | 37 | 9 | 9 | 9 | 9 |
+/// | 4:1 | 67 | 32 | 19 | 8 | 5 |
+/// | 16:1 | 113 | 52 | 41 | 25 | 14 |
+///
+/// A tap reads eight texels. Mean and deviation themselves are closest to those of the reconstruction
+/// where the footprint is round; the deviation's error is then between 2% and 22% of the deviation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Moments {

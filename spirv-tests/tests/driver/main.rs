@@ -1,0 +1,31 @@
+//! The tabulated driver: its pyramids against the images, the shelf on a device against the images, and question 3: how
+//! far the color over a footprint is from the integral over the image's reconstruction, for 1, 2, 4 and 8 taps.
+
+mod colors;
+mod device;
+mod pyramids;
+
+use prefilter::reference::moments::{Beyond, Image};
+
+/// Values between 0 and 1 from a seed.
+fn random(seed: u32) -> impl FnMut() -> f64 {
+    let mut state = seed;
+    move || {
+        state = state.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
+        let word = ((state >> ((state >> 28) + 4)) ^ state).wrapping_mul(277_803_737);
+        f64::from((word >> 22) ^ word) / 4_294_967_296.0
+    }
+}
+
+/// An image of the examples, stretched to [0, 1].
+fn photograph(name: &str, beyond: Beyond) -> (Image, Vec<f32>) {
+    let path = format!("{}/../examples/data/{name}", env!("CARGO_MANIFEST_DIR"));
+    let gray = image::open(path).unwrap().into_luma16();
+    let (width, height) = (gray.width() as usize, gray.height() as usize);
+    let raw: Vec<f64> = gray.into_raw().into_iter().map(f64::from).collect();
+    let low = raw.iter().copied().fold(f64::MAX, f64::min);
+    let high = raw.iter().copied().fold(f64::MIN, f64::max);
+    let stored: Vec<f32> = raw.iter().map(|value| ((value - low) / (high - low)) as f32).collect();
+    let values = stored.iter().map(|&value| f64::from(value)).collect();
+    (Image { width, height, values, beyond }, stored)
+}
