@@ -7,20 +7,25 @@ mod shelf;
 
 use prefilter_wgsl::{File, FILES};
 
-/// The faults of the shelf with one piece of one of its files replaced.
-fn faults(path: &str, old: &str, new: &str) -> Vec<String> {
+/// The faults of the shelf with a function planted in front of one file, and the `line:column` of the function's mark
+/// `«`, which is taken out.
+fn planted(path: &str, function: &str) -> (Vec<String>, String) {
     let mut files = FILES.to_vec();
     let file = files.iter_mut().find(|file| file.path == path).expect("the shelf has the file");
-    let text = file.text.replacen(old, new, 1);
-    assert_ne!(text, file.text, "the file contains the piece");
-    *file = File { path: file.path, text: text.leak() };
-    shelf::faults(&files)
+    let text = format!("// A comment.\n\n{function}\n\n{}", file.text);
+    let mark = text.find('«').expect("the function has a mark");
+    *file = File { path: file.path, text: text.replacen('«', "", 1).leak() };
+    (shelf::faults(&files), fault::place(&text, mark))
 }
 
-/// `line:column` in a shelf file of the first place of a piece.
-fn place(path: &str, piece: &str) -> String {
-    let text = FILES.iter().find(|file| file.path == path).expect("the shelf has the file").text;
-    fault::place(text, text.find(piece).expect("the file contains the piece"))
+/// Asserts that a planted function is the only fault, and reports its message behind the path.
+fn only_fault(path: &str, function: &str) -> String {
+    let (found, place) = planted(path, function);
+    assert_eq!(found.len(), 1, "{found:?}");
+    let start = format!("wgsl/{path}:{place}: ");
+    assert!(found[0].starts_with(&start), "{start} begins {}", found[0]);
+    assert!(found[0].contains("┌─ wgsl/"), "no excerpt in {}", found[0]);
+    found[0][start.len()..].to_owned()
 }
 
 #[test]
@@ -29,41 +34,39 @@ fn the_shelf_as_it_stands_has_no_fault() {
 }
 
 #[test]
-fn a_planted_error_is_named_by_its_place() {
-    let call = place("filter/texture.wgsl", "normal_excess(abs");
-    let found = faults("filter/texture.wgsl", "normal_excess(abs", "normal_exces(abs");
-    assert_eq!(found.len(), 1, "{found:?}");
-    let start = format!("wgsl/filter/texture.wgsl:{call}: no definition in scope for identifier: `normal_exces`\n");
-    assert!(found[0].starts_with(&start), "{}", found[0]);
-    assert!(found[0].contains(&format!("┌─ wgsl/filter/texture.wgsl:{call}\n")), "{}", found[0]);
+fn an_unknown_name_is_named_by_its_place() {
+    for path in ["math/normal.wgsl", "filter/texture.wgsl"] {
+        let message = only_fault(path, "fn planted(x: f32) -> f32 {\n    return 2.0 * «normal_cfd(x);\n}");
+        assert!(message.starts_with("no definition in scope for identifier: `normal_cfd`\n"), "{message}");
+    }
+}
 
-    let semicolon = place("math/normal.wgsl", "let tail");
-    let found = faults("math/normal.wgsl", "q;\n    let tail", "q\n    let tail");
-    assert_eq!(found.len(), 1, "{found:?}");
-    assert!(found[0].starts_with(&format!("wgsl/math/normal.wgsl:{semicolon}: expected ")), "{}", found[0]);
+#[test]
+fn a_syntax_error_is_named_by_its_place() {
+    let message = only_fault("math/normal.wgsl", "fn planted(x: f32) -> f32 {\n    let y = x\n    «return y;\n}");
+    assert!(message.starts_with("expected "), "{message}");
 }
 
 #[test]
 fn a_wrong_type_is_named_by_its_place() {
-    let piece = "normal_cdf(distance /";
-    let line = place("filter/texture.wgsl", piece);
-    let found = faults("filter/texture.wgsl", piece, "vec2f(distance /");
-    assert_eq!(found.len(), 1, "{found:?}");
-    assert!(found[0].starts_with(&format!("wgsl/filter/texture.wgsl:{line}: ")), "{}", found[0]);
+    only_fault("filter/texture.wgsl", "fn planted(x: f32) -> vec3f {\n    return «normal_cdf(x);\n}");
 }
 
 #[test]
 fn an_open_brace_is_its_own_files_fault() {
-    let found = faults("filter/texture.wgsl", "return normal_cdf(distance", "{ return normal_cdf(distance");
+    // naga notices it at the next `fn`, or at the end of the file.
+    let function = "fn planted(x: f32) -> f32 «{\n    if x > 0.0 {\n        return x;\n}";
+    let (found, _) = planted("filter/texture.wgsl", function);
     assert_eq!(found.len(), 1, "{found:?}");
     assert!(found[0].starts_with("wgsl/filter/texture.wgsl:"), "{}", found[0]);
 }
 
 #[test]
 fn a_name_that_two_files_declare_names_both() {
-    let [first, second] = [place("math/grid.wgsl", "grid_linear("), place("math/normal.wgsl", "normal_cdf(")];
-    let found = faults("math/normal.wgsl", "fn normal_cdf(", "fn grid_linear(");
-    let expected =
-        format!("wgsl/math/normal.wgsl:{second}: `grid_linear` is declared by wgsl/math/grid.wgsl:{first} too");
-    assert!(found.contains(&expected), "{found:?}");
+    let (found, place) = planted("math/normal.wgsl", "fn «grid_linear(x: f32) -> f32 {\n    return x;\n}");
+    let grid = FILES.iter().find(|file| file.path == "math/grid.wgsl").expect("the shelf has the file").text;
+    let other = fault::place(grid, grid.find("grid_linear(").expect("the file declares the name"));
+    let message =
+        format!("wgsl/math/normal.wgsl:{place}: `grid_linear` is declared by wgsl/math/grid.wgsl:{other} too");
+    assert!(found.contains(&message), "{message} is missing in {found:?}");
 }

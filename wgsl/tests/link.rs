@@ -26,9 +26,15 @@ fn the_text_comes_first_byte_for_byte() {
 
 #[test]
 fn names_are_followed_through_the_shelf_and_stand_once_in_its_order() {
-    assert_eq!(names("texture_step(1, 2) + normal_cdf(3) + texture_step(4, 5)"), ["normal_cdf", "texture_step"]);
-    assert_eq!(names("texture_ramp"), ["normal_cdf", "normal_excess", "texture_ramp"]);
-    assert_eq!(link("texture_ramp + normal_cdf").map(|linked| linked.matches("\nfn ").count()), Ok(3));
+    let shelf: Vec<&str> = FILES.iter().flat_map(|file| declarations(file.text)).map(|found| found.name).collect();
+    for text in ["texture_step(1, 2) + normal_cdf(3) + texture_step(4, 5)", "normal_cdf(3) * texture_step(1, 2)"] {
+        let names = names(text);
+        assert!(names.contains(&"texture_step") && names.contains(&"normal_cdf"), "{names:?}");
+        let order: Vec<_> = names.iter().map(|name| shelf.iter().position(|other| other == name)).collect();
+        assert!(order.windows(2).all(|pair| pair[0] < pair[1]), "{names:?}");
+        assert_eq!(link(text).map(|linked| declarations(&linked).len()), Ok(names.len()));
+    }
+    assert_eq!(names("texture_step"), names("texture_step + normal_cdf"), "one needs the other");
 }
 
 #[test]
@@ -73,31 +79,41 @@ fn a_declared_shelf_name_is_refused_with_both_places() {
     assert!(link(&link("normal_cdf").expect("links")).is_err(), "a linked text declares what it was given");
 }
 
+/// A built-in function that `normal_cdf` calls.
+fn built_in() -> &'static str {
+    let found = mentioned("normal_cdf").into_iter().find(|(_, declaration)| declaration.name == "normal_cdf");
+    let text = found.expect("the shelf has the function").1.text;
+    let calls = |name: &&str| text.contains(&format!("{name}("));
+    ["select", "max", "min", "abs", "clamp", "exp"].into_iter().find(calls).expect("it calls one of these")
+}
+
 #[test]
 fn a_text_may_not_change_what_the_shelf_computes() {
-    let hidden = link("fn a() { normal_cdf(1.0); }\nfn select(a: f32, b: f32, c: bool) -> f32 { return a; }");
-    let collision = hidden.expect_err("`normal_cdf` would call this `select`");
+    let name = built_in();
+    let text = format!("fn a() {{ normal_cdf(1.0); }}\nfn {name}(a: f32) -> f32 {{ return a; }}");
+    let collision = link(&text).expect_err("`normal_cdf` would call this function");
     assert_eq!((collision.line, collision.column, collision.replaced_in), (2, 4, Some("normal_cdf")));
     let message = collision.to_string();
-    assert!(
-        message.starts_with("2:4: `select` is declared here and hides the built-in that `normal_cdf`"),
-        "{message}"
-    );
+    let start =
+        format!("2:4: `{name}` is declared here and hides the built-in that `normal_cdf` of the shelf uses at math/");
+    assert!(message.starts_with(&start), "{message}");
     // Through another function, and as a type.
-    assert!(link("fn a() { texture_step(1.0, 1.0); }\nconst select = 1;").is_err());
+    assert!(link(&format!("fn a() {{ texture_step(1.0, 1.0); }}\nconst {name} = 1;")).is_err());
     assert!(link("fn a() { normal_cdf(1.0); }\nalias f32 = i32;").is_err());
 }
 
 #[test]
 fn other_names_are_the_texts_own() {
-    // A built-in that no needed function uses, the local names of a needed one, and names inside the text's functions.
+    let name = built_in();
     for text in [
-        "fn select() {}",
-        "fn a() { normal_cdf(1.0); }\nfn smoothstep() {}",
-        "fn a() { normal_cdf(1.0); }\nconst y = 1; const p = 2; const tail = 3; var<private> x: f32;",
-        "fn a(normal_cdf: f32) { let select = 1; var f32 = 2; const exp = 3; }",
+        // A built-in that nothing needs, one that no needed function uses, and a parameter of a needed one.
+        format!("fn {name}() {{}}"),
+        "fn a() { normal_cdf(1.0); }\nfn smoothstep() {}".to_owned(),
+        "fn a() { normal_cdf(1.0); }\nvar<private> x: f32;".to_owned(),
+        // Names inside the text's own functions.
+        format!("fn a(normal_cdf: f32) {{ let {name} = 1; var f32 = 2; const texture_step = 3; }}"),
     ] {
-        assert_eq!(collisions(text), [], "{text}");
+        assert_eq!(collisions(&text), [], "{text}");
     }
 }
 
