@@ -26,7 +26,7 @@ pub fn points(ranges: &[Range], count: usize) -> Points {
     let cube: usize = ranges.iter().map(coordinates).sum();
     let mut fill = Sequence::new(cube);
     let mut inside: Vec<Vec<f64>> = (0..count).map(|_| at(ranges, &fill.advance())).collect();
-    // Beyond 12 coordinates the corners are taken 4096 at a time from the first ones.
+    // Beyond 12 coordinates some share their side, which keeps the corners to 4096.
     for corner in 0..1usize << cube.min(12) {
         let corner: Vec<f64> = (0..cube).map(|side| f64::from(u8::from(corner >> (side % 12) & 1 == 1))).collect();
         inside.push(at(ranges, &corner));

@@ -4,6 +4,7 @@
 //! that is much wider than what the pinned driver does.
 
 use std::fmt;
+use std::panic::resume_unwind;
 
 use prefilter::gpu::{Device, Texture};
 
@@ -60,9 +61,16 @@ pub enum Failure {
     /// The device refused the function.
     #[error("{0}")]
     Device(String),
-    /// Nothing was compared.
-    #[error("`{0}`: no case was judged")]
-    NoCases(String),
+    /// Nothing, or too little, was compared.
+    #[error("`{name}`: {cases} of {points} points were judged, which is less than a quarter")]
+    NoCases {
+        /// The function.
+        name: String,
+        /// Judged points.
+        cases: usize,
+        /// All points.
+        points: usize,
+    },
     /// The promise does not hold.
     #[error("the promise is broken: {0}")]
     Broken(Box<Judgement>),
@@ -109,7 +117,7 @@ pub fn judge(device: &Device, function: &Function, rows: &[&Row], count: usize) 
     let mut judgement: Option<Judgement> = None;
     for row in rows {
         let mut inside = points.inside.clone();
-        inside.extend(row.breakpoints(&contract.ranges));
+        inside.extend(row.breakpoints(&contract.ranges).map_err(Failure::Contract)?);
         let textures = row.tables.iter().map(|(table, address)| device.upload(table, *address));
         let textures = textures.collect::<Result<Vec<Texture>, _>>();
         let textures = textures.map_err(|error| Failure::Device(error.to_string()))?;
@@ -149,7 +157,8 @@ fn is_slack(judgement: &Judgement) -> bool {
 /// Compares results with a row's reference, on all processors.
 ///
 /// # Errors
-/// [`Failure::NoCases`] without a judged point, [`Failure::Broken`] where a result is too far from the reference.
+/// [`Failure::NoCases`] where less than a quarter of the points are judged, [`Failure::Broken`] where a result is too
+/// far from the reference.
 pub fn compare(
     function: &Function,
     promise: Promise,
@@ -163,13 +172,14 @@ pub fn compare(
     let parts: Vec<(usize, Option<Case>)> = std::thread::scope(|scope| {
         let threads: Vec<_> =
             parts.map(|(points, results)| scope.spawn(move || worst(promise, row, points, results))).collect();
-        // A reference that panics is a broken test: its message is on the terminal already.
-        threads.into_iter().map(|thread| thread.join().unwrap_or((0, None))).collect()
+        let joined = threads.into_iter().map(|thread| thread.join().unwrap_or_else(|panic| resume_unwind(panic)));
+        joined.collect()
     });
-    let cases = parts.iter().map(|part| part.0).sum();
+    let cases: usize = parts.iter().map(|part| part.0).sum();
     let worst = parts.into_iter().filter_map(|part| part.1).max_by(|a, b| a.error.total_cmp(&b.error));
-    let (Some(worst), true) = (worst, points.len() == results.len()) else {
-        return Err(Failure::NoCases(function.name.clone()));
+    let enough = points.len() == results.len() && 4 * cases >= points.len();
+    let (Some(worst), true) = (worst, enough) else {
+        return Err(Failure::NoCases { name: function.name.clone(), cases, points: points.len() });
     };
     let inputs = function.signature.inputs().into_iter().map(|leaf| leaf.path).collect();
     let judgement = Judgement { name: function.name.clone(), inputs, promise, cases, outside: 0, worst };
@@ -224,7 +234,7 @@ fn error(promise: Promise, got: &[f64], expected: &[f64]) -> f64 {
 /// [`Failure::NotFinite`] with the first point whose result is not, [`Failure::NoCases`] where results are missing.
 pub fn finite(function: &Function, points: &[Vec<f64>], results: &[Vec<f64>]) -> Result<(), Failure> {
     if points.len() != results.len() {
-        return Err(Failure::NoCases(function.name.clone()));
+        return Err(Failure::NoCases { name: function.name.clone(), cases: results.len(), points: points.len() });
     }
     let wrong = points.iter().zip(results).find(|(_, got)| !got.iter().all(|value| value.is_finite()));
     let Some((point, got)) = wrong else { return Ok(()) };

@@ -56,6 +56,16 @@ fn flattens_vectors_and_their_results() {
 }
 
 #[test]
+fn without_a_device_it_fails_with_the_way_to_get_one() {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_evaluate"));
+    let command = command.arg("normal_cdf").stdin(Stdio::null());
+    let output = command.env("VK_ICD_FILENAMES", "/nowhere").env("VK_DRIVER_FILES", "/nowhere").output().unwrap();
+    let error = String::from_utf8(output.stderr).unwrap();
+    assert!(!output.status.success() && output.stdout.is_empty());
+    assert!(error.contains("no graphics device answers; on Debian or Ubuntu install"), "{error}");
+}
+
+#[test]
 fn says_what_is_wrong_and_where() {
     let error = refused(&["normal_cfd"], "0\n");
     assert!(error.contains("no function `normal_cfd`") && error.contains("`normal_cdf`"), "{error}");

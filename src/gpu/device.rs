@@ -31,7 +31,7 @@ impl Device {
             ..Default::default()
         };
         let adapter = pollster::block_on(instance.request_adapter(&options))
-            .map_err(|error| Error::Device { message: format!("no graphics device ({error}); {ADVICE}") })?;
+            .map_err(|_| Error::Device { message: format!("no graphics device answers; {ADVICE}") })?;
         let wanted = wgpu::Features::FLOAT32_FILTERABLE | wgpu::Features::TIMESTAMP_QUERY;
         let descriptor = wgpu::DeviceDescriptor {
             label: Some("prefilter"),

@@ -96,10 +96,21 @@ impl Row {
     }
 
     /// The row's own points with their neighbors.
-    pub fn breakpoints(&self, ranges: &[Range]) -> Vec<Vec<f64>> {
+    ///
+    /// # Errors
+    /// A message where a point has not as many numbers as the function takes.
+    pub fn breakpoints(&self, ranges: &[Range]) -> Result<Vec<Vec<f64>>, String> {
         let scalars: Vec<Scalar> = ranges.iter().flat_map(|range| &range.leaves).map(|leaf| leaf.scalar).collect();
         let mut points = Vec::new();
         for point in &self.breakpoints {
+            if point.len() != scalars.len() {
+                return Err(format!(
+                    "the row `{}` has points of {} numbers, not {}",
+                    self.name,
+                    point.len(),
+                    scalars.len()
+                ));
+            }
             let point: Vec<f64> = point.iter().zip(&scalars).map(|(&value, &scalar)| rounded(value, scalar)).collect();
             for number in (0..point.len()).filter(|&number| scalars[number] == Scalar::Float) {
                 points.extend(neighbors(point[number]).map(|value| {
@@ -109,7 +120,7 @@ impl Row {
                 }));
             }
         }
-        points
+        Ok(points)
     }
 }
 
