@@ -106,6 +106,16 @@ impl Scene {
         Self { driver: Some(driver), ..self }
     }
 
+    /// The color map, where the scene has one.
+    pub fn map(&self) -> Option<&ColorMap> {
+        self.texture.as_ref()
+    }
+
+    /// The ranges that bounds hold over.
+    pub fn chosen_ranges(&self) -> Ranges {
+        self.ranges
+    }
+
     /// Generates, links and validates the module. Tables take up to a second to bake; closed forms well below 5 ms.
     ///
     /// # Errors

@@ -19,7 +19,7 @@ impl Shader {
     pub(crate) fn new(path: &str, wgsl: String) -> Result<Self, Error> {
         let module = naga::front::wgsl::parse_str(&wgsl).map_err(|error| {
             let place = error.location(&wgsl);
-            refused(path, place, &with_hint(&error.emit_to_string_with_path(&wgsl, path)))
+            refused(path, place, &with_hint(&error.emit_to_string_with_path(&wgsl, path), &wgsl))
         })?;
         let info =
             Validator::new(ValidationFlags::all(), Capabilities::empty()).validate(&module).map_err(|error| {
@@ -130,11 +130,11 @@ pub fn link(modules: &[&Module], text: &str) -> Result<Shader, Error> {
     Shader::new(path, linked)
 }
 
-/// naga's message with the nearest shelf name below an unknown one.
-fn with_hint(message: &str) -> String {
+/// naga's message with the nearest name of the text or the shelf below an unknown one.
+fn with_hint(message: &str, text: &str) -> String {
     let unknown =
         message.split("no definition in scope for identifier: `").nth(1).and_then(|rest| rest.split('`').next());
-    match unknown.and_then(prefilter_wgsl::nearest) {
+    match unknown.and_then(|name| prefilter_wgsl::nearest(name, text)) {
         Some(near) => format!("{}\n= help: did you mean `{near}`?", message.trim_end()),
         None => message.trim_end().to_owned(),
     }

@@ -38,7 +38,7 @@ const UNKNOWN: &str = "no definition in scope";
 /// Adds the nearest name of the shelf to a message about an unknown one.
 fn suggest(fault: Fault, source: &str) -> Fault {
     let name = fault.range.clone().and_then(|range| source.get(range)).unwrap_or_default();
-    match prefilter_wgsl::nearest(name) {
+    match prefilter_wgsl::nearest(name, source) {
         Some(nearest) if fault.message.contains(UNKNOWN) => {
             Fault { message: format!("{}; did you mean `{nearest}`?", fault.message), ..fault }
         }

@@ -3,6 +3,7 @@
 
 pub mod contract;
 pub mod demo;
+pub mod exports;
 pub mod fill;
 pub mod harness;
 pub mod kernel;

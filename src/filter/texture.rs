@@ -13,7 +13,11 @@ use crate::transfer::pieces::Pieces;
 use crate::Error;
 
 /// Segments narrower than this part of the means' range become ramps: a difference of kinks loses 6e-8/width.
-const NARROW: f32 = 0.005;
+const NARROW: f64 = 0.01;
+
+/// With the fast kernel, segments become ramps that rise by more than this many hulls over the means' unit: each of
+/// their kinks would err by 1.5e-5 times the slope, and 1.5e-4 is what a kink may.
+const STEEP: f64 = 10.0;
 
 /// Beyond this many deviations from the outermost knots a mean is constant to f32.
 const REACH: f32 = 8.0;
@@ -37,7 +41,7 @@ pub(crate) struct Filter {
 pub(crate) fn filter(map: &ColorMap, colors: Colors, tier: Tier, ranges: Ranges) -> Result<Filter, Error> {
     match (tier, colors) {
         (Tier::Paper, _) => Ok(paper(map, ranges)),
-        (Tier::Table, _) => Ok(table(map, ranges)),
+        (Tier::Table, _) => Ok(table(map, colors, ranges)),
         (Tier::Naive, Colors::Constant) => Ok(naive(map, ranges)),
         (Tier::ClosedForm(kernel), Colors::Constant) => Ok(closed_form(map, kernel, ranges)),
         (Tier::ClosedForm(Kernel::Exact), Colors::Dynamic) => Ok(knots(map, ranges)),
@@ -47,8 +51,16 @@ pub(crate) fn filter(map: &ColorMap, colors: Colors, tier: Tier, ranges: Ranges)
     }
 }
 
-fn narrow(ranges: Ranges) -> f32 {
-    NARROW * (ranges.mean.1 - ranges.mean.0)
+/// The map's pieces for a kernel.
+fn pieces(map: &ColorMap, kernel: Kernel, ranges: Ranges) -> Pieces {
+    let narrow = NARROW * (f64::from(ranges.mean.1) - f64::from(ranges.mean.0));
+    let (low, high) = map.hull();
+    let hull: [f64; 4] = std::array::from_fn(|channel| f64::from(high[channel]) - f64::from(low[channel]));
+    let unit = scale(map, ranges);
+    Pieces::new(map, |width, rise| {
+        let steep = rise.iter().zip(hull).any(|(rise, hull)| f64::from(rise.abs()) * unit > STEEP * hull * width);
+        width < narrow || (kernel == Kernel::Fast && steep)
+    })
 }
 
 /// `vec3f` or `vec4f`.
@@ -90,13 +102,16 @@ fn returned(map: &ColorMap, sum: &str) -> String {
 }
 
 fn naive(map: &ColorMap, ranges: Ranges) -> Filter {
-    let pieces = Pieces::new(map, narrow(ranges));
-    let mut body = format!("    var c = {};\n", color(map, pieces.base));
+    let pieces = pieces(map, Kernel::Exact, ranges);
+    let knots = map.knots();
+    let ends = (number(knots[0].position), number(knots[knots.len() - 1].position));
+    let mut body = format!("    let m = clamp(mean, {}, {});\n", ends.0, ends.1);
+    body += &format!("    var c = {};\n", color(map, pieces.base));
     for kink in &pieces.kinks {
-        body += &format!("    c += {} * max({}, 0.0);\n", color(map, kink.change), distance("mean", kink.position));
+        body += &format!("    c += {} * max({}, 0.0);\n", color(map, kink.change), distance("m", kink.position));
     }
     for ramp in &pieces.ramps {
-        let (at, width) = (distance("mean", ramp.position), number(ramp.width));
+        let (at, width) = (distance("m", ramp.position), number(ramp.width));
         body += &format!("    c += {} * clamp(({at}) / {width}, 0.0, 1.0);\n", color(map, ramp.change));
     }
     for step in &pieces.steps {
@@ -132,7 +147,7 @@ fn distance(mean: &str, position: f32) -> String {
 }
 
 fn closed_form(map: &ColorMap, kernel: Kernel, ranges: Ranges) -> Filter {
-    let pieces = Pieces::new(map, narrow(ranges));
+    let pieces = pieces(map, kernel, ranges);
     if pieces.kinks.is_empty() && pieces.ramps.is_empty() && pieces.steps.is_empty() {
         let body = format!("    return {};\n", color(map, pieces.base));
         return Filter { body, tables: Vec::new(), bound: Bound::Guaranteed(0.0), trips: 1 };
@@ -147,7 +162,7 @@ fn closed_form(map: &ColorMap, kernel: Kernel, ranges: Ranges) -> Filter {
     let far = REACH * ranges.deviation;
     let ends = (number(knots[0].position - far), number(knots[knots.len() - 1].position + far));
     let mut body = format!("    let m = clamp(mean, {}, {});\n", ends.0, ends.1);
-    body += &format!("    let s = clamp(deviation, 0.0, {});\n", number(ranges.deviation));
+    body += &format!("    let s = min(deviation, {});\n", number(ranges.deviation));
     body += &format!("    var c = {};\n", color(map, pieces.base));
     for kink in &pieces.kinks {
         let at = distance("m", kink.position);
@@ -170,9 +185,7 @@ fn closed_form(map: &ColorMap, kernel: Kernel, ranges: Ranges) -> Filter {
 /// Kinks scale with the unit of their arguments: E[max(λf − λt, 0)] = λ E[max(f − t, 0)]. The shelf promises an error
 /// for distances up to 1.5 and deviations up to 0.5, and λ makes those of the scene's ranges.
 fn closed_form_bound(map: &ColorMap, pieces: &Pieces, suffix: &str, ranges: Ranges) -> Bound {
-    let reach = farthest(map, ranges);
-    let scale = (reach / 1.5).max(f64::from(ranges.deviation) / 0.5).max(1.0);
-    let kink = promise(&format!("texture_kink{suffix}")) * scale + reach * ROUNDING;
+    let kink = promise(&format!("texture_kink{suffix}")) * scale(map, ranges) + farthest(map, ranges) * ROUNDING;
     let (ramp, step) = (promise("texture_ramp"), promise(&format!("texture_step{suffix}")));
     let bound = |channel: usize| {
         let size = |change: [f32; 4]| f64::from(change[channel].abs());
@@ -181,6 +194,11 @@ fn closed_form_bound(map: &ColorMap, pieces: &Pieces, suffix: &str, ranges: Rang
             + pieces.steps.iter().map(|piece| size(piece.change) * step).sum::<f64>()
     };
     Bound::Guaranteed((0..4).map(bound).fold(0.0, f64::max) as f32)
+}
+
+/// How many times a scene's distances and deviations are those of the shelf's contracts, at least 1.
+fn scale(map: &ColorMap, ranges: Ranges) -> f64 {
+    (farthest(map, ranges) / 1.5).max(f64::from(ranges.deviation) / 0.5).max(1.0)
 }
 
 /// Two roundings of a term, relative to the term.
@@ -225,17 +243,28 @@ fn knots_bound(map: &ColorMap) -> Bound {
     Bound::Guaranteed((0..4).map(bound).fold(0.0, f64::max) as f32)
 }
 
-fn table(map: &ColorMap, ranges: Ranges) -> Filter {
-    let (low, high) = ranges.mean;
-    let means = Axis { low: low.into(), high: high.into(), count: 512, spacing: Spacing::Linear };
+/// The means' axis of constant colors fits the map; that of dynamic ones is the same for all maps.
+fn table(map: &ColorMap, colors: Colors, ranges: Ranges) -> Filter {
+    let (low, high) = (f64::from(ranges.mean.0), f64::from(ranges.mean.1));
+    let means = match colors {
+        Colors::Constant => Axis::fitted(low, high, 512, &bends(map)).in_f32(),
+        Colors::Dynamic => Axis::round(low, high, 512).in_f32(),
+    };
     let deviations = Axis { low: 0.0, high: ranges.deviation.into(), count: 16, spacing: Spacing::CubeRoot };
     let baked = bake("table", &map.reference(), means, deviations, ranges.mean);
-    let (low, high, reach) = (number(low), number(high), number(ranges.deviation));
+    let (low, high, reach) = (number(means.low as f32), number(means.high as f32), number(ranges.deviation));
     let body = format!(
         "    return texture_table(mean, deviation, {low}, {high}, {reach}, table, table_sampler){};\n",
         swizzle(map)
     );
     Filter { body, bound: Bound::Estimated(2.0 * baked.error), tables: vec![baked], trips: 1 }
+}
+
+/// Positions and the largest slope changes there.
+fn bends(map: &ColorMap) -> Vec<(f64, f64)> {
+    let kinks = Pieces::new(map, |_, _| false).kinks.into_iter();
+    let largest = |change: [f32; 4]| change.iter().map(|channel| f64::from(channel.abs())).fold(0.0, f64::max);
+    kinks.map(|kink| (kink.position.into(), largest(kink.change))).collect()
 }
 
 /// The paper's recipe: 256 texels over means in [0, 1] by 256 over deviations, addressed as the texture is.

@@ -62,9 +62,11 @@ pub fn mean_by_parts(map: &PiecewiseLinear, mean: f64, deviation: f64) -> [f64; 
     let below = |at: f64| cumulative((at - mean) / deviation);
     let mut sum = map.knots.last().map_or([0.0; 4], |knot| knot.2);
     for (number, knot) in map.knots.iter().enumerate() {
-        let jump = below(knot.0);
-        for (channel, total) in sum.iter_mut().enumerate() {
-            *total -= (knot.2[channel] - knot.1[channel]) * jump;
+        if knot.1 != knot.2 {
+            let jump = below(knot.0);
+            for (channel, total) in sum.iter_mut().enumerate() {
+                *total -= (knot.2[channel] - knot.1[channel]) * jump;
+            }
         }
         let Some(next) = map.knots.get(number + 1).filter(|next| next.0 > knot.0) else { continue };
         // Φ is constant beyond its reach: the panels need to be fine only where it rises.

@@ -29,6 +29,9 @@ fn half_rounded(value: f64) -> f32 {
 /// The smallest deviation that tables are judged at: the shelf's floor.
 const FLOOR: f64 = 1e-6;
 
+/// The rows that are all judged.
+const DENSE: usize = 32;
+
 /// Parts of the judged means, so that those beyond the axis are judged too.
 const EVEN: u32 = 64;
 
@@ -46,10 +49,13 @@ fn judge(map: &PiecewiseLinear, means: Axis, deviations: Axis, judged: (f32, f32
     let even = (0..=EVEN).map(|index| low + (high - low) * f64::from(index) / f64::from(EVEN));
     let all = centers.chain(knots).chain(even);
     let places: Vec<f64> = all.filter(|at| (low..=high).contains(at)).collect();
-    let lines = rows(2 * deviations.count, |half| {
-        let deviation = if half == 0 { FLOOR } else { deviations.value(0.5 * half as f64).min(deviations.high) };
-        vec![places.iter().map(|&mean| error(mean, deviation.max(FLOOR))).fold(0.0, f64::max) as f32]
-    });
+    // Between all of the lowest rows, where the error is largest, and between some of those above.
+    let between = (0..deviations.count - 1).filter(|&row| row < DENSE || row % 8 == 0);
+    let between = between.map(|row| deviations.value(row as f64 + 0.5));
+    let lines: Vec<f64> =
+        [FLOOR, deviations.value(0.0).max(FLOOR), deviations.high].into_iter().chain(between).collect();
+    let lines =
+        rows(lines.len(), |line| vec![places.iter().map(|&at| error(at, lines[line])).fold(0.0, f64::max) as f32]);
     lines.into_iter().fold(0.0, f32::max)
 }
 

@@ -38,8 +38,9 @@ pub(crate) struct Step {
 }
 
 impl Pieces {
-    /// The pieces of a map; segments narrower than `narrow` become ramps.
-    pub fn new(map: &ColorMap, narrow: f32) -> Self {
+    /// The pieces of a map; `narrow` says of which widths and rises a difference of kinks would lose too much: those
+    /// segments become ramps.
+    pub fn new(map: &ColorMap, narrow: impl Fn(f64, [f32; 4]) -> bool) -> Self {
         let knots = map.knots();
         let mut pieces = Self { base: knots[0].left, kinks: Vec::new(), ramps: Vec::new(), steps: Vec::new() };
         let mut slope = [0.0f64; 4]; // that the rounded kinks so far add up to
@@ -52,7 +53,7 @@ impl Pieces {
             if let Some(next) = knots.get(index + 1) {
                 let rise = difference(knot.right, next.left);
                 let width = f64::from(next.position) - f64::from(knot.position);
-                if width >= f64::from(narrow) {
+                if !narrow(width, rise) {
                     target = rise.map(|channel| f64::from(channel) / width);
                 } else if rise != [0.0; 4] {
                     pieces.ramps.push(Ramp { position: knot.position, width: width as f32, change: rise });

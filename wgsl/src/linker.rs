@@ -138,10 +138,13 @@ pub fn collisions(text: &str) -> Vec<Collision> {
     scan::declarations(text).into_iter().filter_map(collision).collect()
 }
 
-/// The shelf name that a misspelled name most resembles, if one is near: at most a third of its letters differ.
-pub fn nearest(name: &str) -> Option<&'static str> {
+/// The name of the shelf or of a declaration of the text that a misspelled name most resembles, if one is near: at most
+/// a third of its letters differ.
+pub fn nearest<'a>(name: &str, text: &'a str) -> Option<&'a str> {
     let distance = |candidate: &str| edits(name.as_bytes(), candidate.as_bytes());
-    let near = shelf().index.keys().map(|&candidate| (distance(candidate), candidate)).min()?;
+    let declared = scan::declarations(text).into_iter().map(|declaration| declaration.name);
+    let known = shelf().index.keys().copied().chain(declared);
+    let near = known.map(|candidate| (distance(candidate), candidate)).min()?;
     (near.0 <= name.len() / 3).then_some(near.1)
 }
 

@@ -119,10 +119,11 @@ fn other_names_are_the_texts_own() {
 
 #[test]
 fn misspelled_names_find_their_neighbors() {
-    assert_eq!(nearest("normal_cfd"), Some("normal_cdf"));
-    assert_eq!(nearest("texture_steps"), Some("texture_step"));
-    assert_eq!(nearest("normal_cdf"), Some("normal_cdf"));
+    assert_eq!(nearest("normal_cfd", ""), Some("normal_cdf"));
+    assert_eq!(nearest("texture_steps", ""), Some("texture_step"));
+    assert_eq!(nearest("normal_cdf", ""), Some("normal_cdf"));
+    assert_eq!(nearest("lichen_colour", "fn lichen_color() {}"), Some("lichen_color"));
     for far in ["", "x", "höhe", "vec5", "completely_different", "cdf"] {
-        assert_eq!(nearest(far), None, "{far}");
+        assert_eq!(nearest(far, ""), None, "{far}");
     }
 }

@@ -69,7 +69,7 @@ fn evaluate(name: &str, output: &mut impl Write) -> Result<(), String> {
 
 /// An unknown name, with the nearest function.
 fn unknown(name: &str, functions: &[Function]) -> String {
-    let near = prefilter_wgsl::nearest(name).filter(|near| functions.iter().any(|function| function.name == *near));
+    let near = prefilter_wgsl::nearest(name, "").filter(|near| functions.iter().any(|function| function.name == *near));
     let advice = near.map_or("see --list".to_owned(), |near| format!("did you mean `{near}`?"));
     format!("the shelf has no function `{name}`; {advice}")
 }
