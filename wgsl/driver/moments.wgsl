@@ -17,18 +17,7 @@ struct moments_cell {
     fraction: vec2f,
 }
 
-/// Number of the last level, 1×1, of a pyramid.
-///
-/// Source: levels halve and round down; computed from the size because WebGL2 does not count levels.
-/// Domain: every pyramid.
-/// Error: exact.
-fn moments_last(moments: texture_2d<f32>) -> i32 {
-    let size = vec2f(textureDimensions(moments, 0));
-    // Half a texel more keeps the logarithm of a power of two from rounding down.
-    return i32(log2(max(size.x, size.y) + 0.5));
-}
-
-/// Number of texels of a level, across and down; levels beyond the last are the last.
+/// Number of texels of a level, across and down; levels beyond the last are the last, as for samplers.
 ///
 /// By shifts of the first level's size: Mesa's software rasterizer answers `textureDimensions` for one level a group of
 /// invocations, not for each invocation's own.
@@ -37,8 +26,8 @@ fn moments_last(moments: texture_2d<f32>) -> i32 {
 /// Domain: level integer in [0, 9].
 /// Error: exact.
 fn moments_size(moments: texture_2d<f32>, level: i32) -> vec2f {
-    let held = u32(clamp(level, 0, moments_last(moments)));
-    return vec2f(max(textureDimensions(moments, 0) >> vec2u(held), vec2u(1u)));
+    let halvings = u32(clamp(level, 0, 31));
+    return vec2f(max(textureDimensions(moments, 0) >> vec2u(halvings), vec2u(1u)));
 }
 
 /// Variance of the kernel that reading a level bilinearly applies to f, in texels² of level 0.
@@ -62,16 +51,15 @@ fn moments_kernel(moments: texture_2d<f32>, level: i32) -> f32 {
 /// Domain: position in [-1, 2], level integer in [0, 9].
 /// Error: 2e-6 absolute; the fraction, from the rounding of position times size: in proportion to the size, up to 16.
 fn moments_texels(moments: texture_2d<f32>, moments_sampler: sampler, position: vec2f, level: i32) -> moments_cell {
-    let held = clamp(level, 0, moments_last(moments));
-    let size = moments_size(moments, held);
+    let size = moments_size(moments, level);
     let at = position * size - 0.5;
     let corner = floor(at);
     let low = (corner + 0.5) / size;
     let high = (corner + 1.5) / size;
-    let a = textureSampleLevel(moments, moments_sampler, low, f32(held)).xy;
-    let b = textureSampleLevel(moments, moments_sampler, vec2f(high.x, low.y), f32(held)).xy;
-    let c = textureSampleLevel(moments, moments_sampler, vec2f(low.x, high.y), f32(held)).xy;
-    let d = textureSampleLevel(moments, moments_sampler, high, f32(held)).xy;
+    let a = textureSampleLevel(moments, moments_sampler, low, f32(level)).xy;
+    let b = textureSampleLevel(moments, moments_sampler, vec2f(high.x, low.y), f32(level)).xy;
+    let c = textureSampleLevel(moments, moments_sampler, vec2f(low.x, high.y), f32(level)).xy;
+    let d = textureSampleLevel(moments, moments_sampler, high, f32(level)).xy;
     return moments_cell(vec4f(a.x, b.x, c.x, d.x), vec4f(a.y, b.y, c.y, d.y), at - corner);
 }
 
@@ -119,17 +107,15 @@ fn moments_planar(cell: moments_cell, covariance: vec3f) -> f32 {
 /// Error: 1e-6 absolute; for values in [0, 1] and sizes up to 16: position times size is rounded.
 fn moments_read(moments: texture_2d<f32>, moments_sampler: sampler, position: vec2f, covariance: vec3f) -> vec2f {
     let variance = clamp(0.5 * (covariance.x + covariance.z), 0.0, 1e36);
-    let last = moments_last(moments);
     // A texel of level l is 2^l wide or wider, but less than twice that: one step back is enough.
-    var level = clamp(i32(0.5 * log2(max(4.0 * variance, 1.0))), 0, last);
+    var level = i32(0.5 * log2(max(4.0 * variance, 1.0)));
     level -= select(0, 1, moments_kernel(moments, level) > variance);
-    let next = min(level + 1, last);
     let low = moments_kernel(moments, level);
-    let high = moments_kernel(moments, next);
+    let high = moments_kernel(moments, level + 1);
     let weight = clamp((variance - low) / max(high - low, 1e-30), 0.0, 1.0);
 
     let cell = moments_texels(moments, moments_sampler, position, level);
-    let coarse = moments_mixed(moments_texels(moments, moments_sampler, position, next));
+    let coarse = moments_mixed(moments_texels(moments, moments_sampler, position, level + 1));
     let fine = moments_mixed(cell) * vec2f(1.0, f32(level > 0)); // at level 0 f itself, a single value
     let apart = coarse.x - fine.x;
     var within = mix(fine.y, coarse.y, weight) + weight * (1.0 - weight) * apart * apart;

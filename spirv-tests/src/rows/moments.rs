@@ -87,8 +87,7 @@ pub(super) fn rows() -> Vec<Row> {
     {
         let sample = Arc::new(Sample::new(beyond));
         let table = || sample.table.clone();
-        let [last, size, kernel, cell, read] = [(); 5].map(|()| Arc::clone(&sample));
-        rows.push(Row::new("moments_last", move |_| [last.image.kernels().len() as f64 - 1.0]).table(table(), address));
+        let [size, kernel, cell, read] = [(); 4].map(|()| Arc::clone(&sample));
         rows.push(
             Row::new("moments_size", move |x| {
                 let level = (x[0] as usize).min(size.image.kernels().len() - 1);
