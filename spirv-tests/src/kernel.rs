@@ -61,7 +61,8 @@ impl Function {
         Ok(Self {
             name: declaration.name.to_owned(),
             path: path.to_owned(),
-            declaration: declaration.signature.clone(),
+            // As on one line, where the shelf breaks the list of parameters.
+            declaration: declaration.signature.replace("( ", "(").replace(", )", ")"),
             documentation: declaration.documentation(),
             signature: Signature::of(&text, declaration.name)?,
             text,

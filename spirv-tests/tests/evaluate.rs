@@ -30,6 +30,7 @@ fn lists_every_function_with_its_signature_on_a_line() {
     assert!(success);
     assert_eq!(output.lines().count(), functions.len());
     assert!(output.lines().any(|line| line == "fn normal_cdf(x: f32) -> f32"), "{output}");
+    assert!(!output.contains("( ") && !output.contains(", )"), "{output}");
     assert!(output.lines().all(|line| line.starts_with("fn ") && line.contains(") -> ")), "{output}");
 }
 
