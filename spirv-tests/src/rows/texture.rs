@@ -3,7 +3,7 @@
 use prefilter::gpu::Address;
 use prefilter::reference::texture::{mean, PiecewiseLinear};
 use prefilter::table::{Format, Level, Sampling, Table};
-use prefilter::{ColorMap, Ranges, Scene, Tier};
+use prefilter::{ColorMap, Colors, Ranges, Scene, Tier};
 
 use super::Row;
 use crate::maps;
@@ -58,7 +58,8 @@ fn knots(map: &ColorMap) -> Row {
 /// A row of `texture_table` for a map over the whole domain.
 fn table(map: &ColorMap) -> Row {
     let ranges = Ranges { mean: (-0.25, 1.25), deviation: 0.5 };
-    let scene = Scene::new("judged").texture(map.clone()).tier(Tier::Table).ranges(ranges);
+    // Of dynamic colors, whose axes do not depend on the map: the contract can name them.
+    let scene = Scene::new("judged").texture(map.clone()).colors(Colors::Dynamic).tier(Tier::Table).ranges(ranges);
     let table = scene.module().expect("the ranges are those of the contract").tables()[0].clone();
     Row::new("texture_table", colors(map)).table(table, Address::Clamp)
 }
