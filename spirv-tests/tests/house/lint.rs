@@ -118,7 +118,8 @@ fn declared(words: &[Word<'_>], report: &mut impl FnMut(usize, String)) {
         let template = before == ">" && words[..index].iter().rev().take(6).any(|earlier| earlier.text == "var");
         let declares =
             matches!(before, "fn" | "struct" | "let" | "var" | "const" | "alias") || template || after == ":";
-        if !declares {
+        let label = before == "case" || word.text == "default";
+        if !declares || label {
             continue;
         }
         let snake = word.text.bytes().all(|byte| byte.is_ascii_lowercase() || byte.is_ascii_digit() || byte == b'_');
@@ -142,7 +143,9 @@ fn pure(words: &[Word<'_>], report: &mut impl FnMut(usize, String)) {
         match word.text {
             "{" => depth += 1,
             "}" => depth = depth.saturating_sub(1),
-            "@" => report(word.line, format!("attribute `@{}`: bindings and entry points live in pass/", after(1))),
+            "@" if after(1) != "must_use" => {
+                report(word.line, format!("attribute `@{}`: bindings and entry points live in pass/", after(1)))
+            }
             "var" | "override" if depth == 0 => report(word.line, format!("`{}` at module scope", word.text)),
             name if IMPURE.contains(&name) && after(1) == "(" => report(word.line, format!("call of `{name}`")),
             name if is_name(name) && (after(1), after(2), after(3)) == ("!", "=", name) && after(4) != "." => {
@@ -212,6 +215,7 @@ mod tests {
     fn a_good_file_passes() {
         let good = "fn normal_mean(mean: f32, deviation: f32, map: texture_2d<f32>) -> f32 {
             let x = max(mean, 0.1);
+            switch i32(mean) { case 1: { return x; } default: {} }
             return log(x) + tanh(clamp(mean, -9.0, 9.0)) * deviation;
         }";
         assert_eq!(planted(&format!("{CONTRACT}{good}")), [""; 0]);
