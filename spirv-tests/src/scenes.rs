@@ -1,6 +1,6 @@
 //! The scenes whose modules are snapshots, and go through every backend and validator.
 
-use prefilter::{Accuracy, ColorMap, Colors, Kernel, Ranges, Scene, Tier};
+use prefilter::{Accuracy, ColorMap, Colors, Driver, Kernel, Moments, Pixel, Ranges, Scene, Taps, Tier};
 
 use crate::maps::{named, random};
 
@@ -11,7 +11,7 @@ type Result<T> = std::result::Result<T, Box<dyn std::error::Error + Send + Sync>
 /// # Errors
 /// None that the tests have seen: the maps are fixed.
 pub fn all() -> Result<Vec<(&'static str, Scene)>> {
-    Ok([constant_colors()?, dynamic_colors()?, edges_and_limits()?].concat())
+    Ok([constant_colors()?, dynamic_colors()?, driven()?, edges_and_limits()?].concat())
 }
 
 const EXACT: Tier = Tier::ClosedForm(Kernel::Exact);
@@ -50,6 +50,19 @@ fn dynamic_colors() -> Result<Vec<(&'static str, Scene)>> {
         ("four_channels", Scene::new("moss").texture(four.clone()).tier(FAST)),
         ("four_channels_dynamic", Scene::new("moss").texture(four.clone()).colors(Colors::Dynamic).tier(EXACT)),
         ("four_channels_table", Scene::new("moss").texture(four).tier(Tier::Table)),
+    ])
+}
+
+fn driven() -> Result<Vec<(&'static str, Scene)>> {
+    let moments = |taps| Driver::Moments(Moments { taps, ..Moments::default() });
+    let oblong = Moments { taps: Taps::Two, pixel: Pixel::Covariance([0.25, 0.05, 0.1]) };
+    let terrain = || Ok::<_, Box<dyn std::error::Error + Send + Sync>>(Scene::new("relief").texture(named("terrain")?));
+    Ok(vec![
+        ("driven", terrain()?.driver(moments(Taps::One))),
+        ("driven_by_eight_taps", terrain()?.driver(moments(Taps::Eight))),
+        ("driven_by_oblong_pixels", terrain()?.driver(Driver::Moments(oblong))),
+        ("driven_table", terrain()?.tier(Tier::Table).driver(moments(Taps::Four))),
+        ("driven_dynamic", terrain()?.colors(Colors::Dynamic).tier(EXACT).driver(moments(Taps::Eight))),
     ])
 }
 

@@ -161,13 +161,18 @@ fn taps_loop(name: &str, color_type: &str, extra_arguments: &str, taps: u32) -> 
     let axis = footprint_direction(footprint);
     let tap_footprint = taps_covariance(axis, deviations.x, deviations.y, {taps}.0);
     let spread = axis * taps_spread(deviations.x, deviations.y, {taps}.0) / size;
-    var color = {color_type}();
+    var sum = {color_type}();
+    var low = {color_type}(3e38);
+    var high = {color_type}(-3e38);
     for (var tap = 0; tap < {taps}; tap++) {{
         let place = taps_place(f32(tap), {taps}.0);
         let m = moments_read(moments, moments_sampler, position + place.x * spread, tap_footprint);
-        color += place.y * {name}_texture(m.x, m.y{extra_arguments});
+        let color = {name}_texture(m.x, m.y{extra_arguments});
+        sum += place.y * color;
+        low = min(low, color);
+        high = max(high, color);
     }}
-    return color;
+    return clamp(sum, low, high); // rounded weights may add up to more than one
 "
     )
 }

@@ -9,7 +9,7 @@ use crate::table::bake::bake;
 use crate::table::grid::{Axis, Spacing};
 use crate::table::{Format, Level, Sampling, Table};
 use crate::transfer::color_map::{ColorMap, Colors, Knot};
-use crate::transfer::pieces::Pieces;
+use crate::transfer::pieces::{Pieces, RESIDUE};
 use crate::Error;
 
 /// Segments narrower than this part of the means' range become ramps: a difference of kinks loses 6e-8/width.
@@ -187,9 +187,14 @@ fn closed_form(map: &ColorMap, kernel: Kernel, ranges: Ranges) -> Filter {
 fn closed_form_bound(map: &ColorMap, pieces: &Pieces, suffix: &str, ranges: Ranges) -> Bound {
     let kink = promise(&format!("texture_kink{suffix}")) * scale(map, ranges) + farthest(map, ranges) * ROUNDING;
     let (ramp, step) = (promise("texture_ramp"), promise(&format!("texture_step{suffix}")));
+    let (low, high) = map.hull();
+    let knots = map.knots();
+    let length = f64::from(knots[knots.len() - 1].position) - f64::from(knots[0].position);
+    let left_out = if length > 0.0 { RESIDUE * farthest(map, ranges) / length } else { 0.0 };
     let bound = |channel: usize| {
         let size = |change: [f32; 4]| f64::from(change[channel].abs());
-        pieces.kinks.iter().map(|piece| size(piece.change) * kink).sum::<f64>()
+        left_out * (f64::from(high[channel]) - f64::from(low[channel]))
+            + pieces.kinks.iter().map(|piece| size(piece.change) * kink).sum::<f64>()
             + pieces.ramps.iter().map(|piece| size(piece.change) * ramp).sum::<f64>()
             + pieces.steps.iter().map(|piece| size(piece.change) * step).sum::<f64>()
     };

@@ -44,6 +44,7 @@ impl Pieces {
         let knots = map.knots();
         let mut pieces = Self { base: knots[0].left, kinks: Vec::new(), ramps: Vec::new(), steps: Vec::new() };
         let mut slope = [0.0f64; 4]; // that the rounded kinks so far add up to
+        let residue = residue(map);
         for (index, knot) in knots.iter().enumerate() {
             let jump = difference(knot.left, knot.right);
             if jump != [0.0; 4] {
@@ -59,9 +60,16 @@ impl Pieces {
                     pieces.ramps.push(Ramp { position: knot.position, width: width as f32, change: rise });
                 }
             }
-            // Each change makes up for the rounding of those before it: errors of the slope do not add up along the
-            // map.
-            let change: [f32; 4] = std::array::from_fn(|channel| (target[channel] - slope[channel]) as f32);
+            // Each change makes up for the rounding of those before it, so that errors of the slope do not add up along
+            // the map; what only rounding would change stays for the next.
+            let change: [f32; 4] = std::array::from_fn(|channel| {
+                let change = target[channel] - slope[channel];
+                if change.abs() > residue[channel] {
+                    change as f32
+                } else {
+                    0.0
+                }
+            });
             if change != [0.0; 4] {
                 pieces.kinks.push(Kink { position: knot.position, change });
                 slope = std::array::from_fn(|channel| slope[channel] + f64::from(change[channel]));
@@ -70,6 +78,17 @@ impl Pieces {
         pieces
     }
 }
+
+/// The slope of each channel that is left out: [`RESIDUE`] hulls over the length of the map.
+fn residue(map: &ColorMap) -> [f64; 4] {
+    let (low, high) = map.hull();
+    let knots = map.knots();
+    let length = f64::from(knots[knots.len() - 1].position) - f64::from(knots[0].position);
+    std::array::from_fn(|channel| RESIDUE * (f64::from(high[channel]) - f64::from(low[channel])) / length)
+}
+
+/// The part of a map's hull that left out slopes may add up to from its first to its last knot.
+pub(crate) const RESIDUE: f64 = 3e-7;
 
 fn difference(from: [f32; 4], to: [f32; 4]) -> [f32; 4] {
     std::array::from_fn(|channel| (f64::from(to[channel]) - f64::from(from[channel])) as f32)

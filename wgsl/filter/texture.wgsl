@@ -97,8 +97,8 @@ fn texture_knots(mean: f32, deviation: f32, knots: texture_2d<f32>) -> vec4f {
 /// 0 to `reach`. Values outside read the table's border.
 ///
 /// Source: Heitz et al. 2014, section 4.2, with the deviation's axis by its cube root.
-/// Domain: mean in [-0.25, 1.25], deviation in [0, 0.5], low in [-0.25, -0.25], high in [1.4533333, 1.4533333], reach in
-/// [0.5, 0.5].
+/// Domain: mean in [-0.25, 1.25], deviation in [0, 0.5], low in [-0.25, -0.25], high in [1.4533333, 1.4533333],
+/// reach in [0.5, 0.5].
 /// Error: 4e-3 absolute; bilinear interpolation of 512 × 16 nodes for matplotlib's terrain.
 fn texture_table(
     mean: f32, deviation: f32, low: f32, high: f32, reach: f32, table: texture_2d<f32>, table_sampler: sampler,
