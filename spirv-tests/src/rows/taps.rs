@@ -22,11 +22,11 @@ fn ordered(point: &[f64]) -> bool {
 pub(super) fn rows() -> Vec<Row> {
     let own = |x: &[f64]| tap([1.0, 0.0], x[0], x[1], x[2]).covariance[0].sqrt();
     vec![
-        Row::new("taps_place", |x| placed(x[0], x[1] as usize)),
+        Row::new("taps_place", |x| placed(x[0] as usize, x[1] as usize)),
         Row::new("taps_deviation", move |x| [own(x)]).only_where(ordered),
         Row::new("taps_spread", |x| {
             let single = tap([1.0, 0.0], x[0], x[1], x[2]);
-            [(x[0] * x[0] - single.covariance[0]).max(0.0).sqrt()]
+            [(x[0], single.covariance[0]), (x[1], single.covariance[2])].map(|(all, own)| (all * all - own).max(0.0))
         })
         .only_where(ordered),
         Row::new("taps_covariance", |x| tap([x[0], x[1]], x[2], x[3], x[4]).covariance).only_where(ordered),

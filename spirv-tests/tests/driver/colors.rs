@@ -135,7 +135,7 @@ fn errors_of_long_footprints_fall_with_the_taps() {
             println!("{:<28} {numbers} {standard:6.1}", format!("{file} {map} {aspect}:1"));
             let [point, one, two, four, eight, truth] = rms;
             assert!(truth < eight / 3.0 && standard < eight / 3.0, "the measurement is not good enough");
-            assert!(one < point / 2.0);
+            assert!(one < point / 2.0 && eight < 0.8 * one, "{file} {map} {aspect}");
             if aspect > 2.0 {
                 assert!(two < one && four < two && eight < four, "{file} {map} {aspect}");
             }
