@@ -1,26 +1,19 @@
 //! A height image: its texels, how it continues beyond its edges, and its value between texels.
 
-/// What lies beyond the edges of an image.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Address {
-    /// The image again.
-    Repeat,
-    /// The image mirrored at its edge.
-    Mirror,
-}
+pub use prefilter::gpu::Address;
 
-impl Address {
-    /// The texel, of `count`, that stands at any whole position.
-    pub fn texel(self, at: i64, count: usize) -> usize {
-        let count = count as i64;
-        match self {
-            Self::Repeat => at.rem_euclid(count) as usize,
-            Self::Mirror => {
-                let folded = at.rem_euclid(2 * count);
-                folded.min(2 * count - 1 - folded) as usize
-            }
+/// The texel, of `count`, that stands at any whole position.
+fn texel(address: Address, at: i64, count: usize) -> usize {
+    let count = count as i64;
+    let inside = match address {
+        Address::Clamp => at.clamp(0, count - 1),
+        Address::Repeat => at.rem_euclid(count),
+        Address::Mirror => {
+            let folded = at.rem_euclid(2 * count);
+            folded.min(2 * count - 1 - folded)
         }
-    }
+    };
+    inside as usize
 }
 
 /// Heights in [0, 1] on a grid of texels, row by row from the top.
@@ -58,8 +51,8 @@ impl Heights {
         let (x, y) = (position[0] * self.width as f64 - 0.5, position[1] * self.height as f64 - 0.5);
         let (left, top) = (x.floor(), y.floor());
         let (across, down) = (x - left, y - top);
-        let columns = [0, 1].map(|step| self.address.texel(left as i64 + step, self.width));
-        let rows = [0, 1].map(|step| self.address.texel(top as i64 + step, self.height) * self.width);
+        let columns = [0, 1].map(|step| texel(self.address, left as i64 + step, self.width));
+        let rows = [0, 1].map(|step| texel(self.address, top as i64 + step, self.height) * self.width);
         let [upper, lower] = rows.map(|row| {
             let [from, to] = columns.map(|column| f64::from(self.texels[row + column]));
             from + across * (to - from)
@@ -79,7 +72,9 @@ mod tests {
     #[test]
     fn texel_centers_return_the_texels_and_edges_follow_the_address() {
         let center = |column: f64, row: f64| [(column + 0.5) / 3.0, (row + 0.5) / 2.0];
-        for (address, left, above) in [(Address::Repeat, 0.5, 0.5), (Address::Mirror, 0.0, 0.0)] {
+        for (address, left, above) in
+            [(Address::Repeat, 0.5, 0.5), (Address::Mirror, 0.0, 0.0), (Address::Clamp, 0.0, 0.0)]
+        {
             let heights = ramp(address);
             for (number, &texel) in heights.texels.iter().enumerate() {
                 let at = center((number % 3) as f64, (number / 3) as f64);
@@ -93,7 +88,7 @@ mod tests {
 
     #[test]
     fn the_mirror_turns_at_both_edges() {
-        let walk: Vec<usize> = (-4..8).map(|at| Address::Mirror.texel(at, 3)).collect();
+        let walk: Vec<usize> = (-4..8).map(|at| texel(Address::Mirror, at, 3)).collect();
         assert_eq!(walk, [2, 2, 1, 0, 0, 1, 2, 2, 1, 0, 0, 1]);
     }
 }
