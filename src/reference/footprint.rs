@@ -39,3 +39,26 @@ pub fn axes(covariance: [f64; 3]) -> [[f64; 2]; 2] {
 pub fn deviations(covariance: [f64; 3]) -> [f64; 2] {
     axes(covariance).map(|axis| variance_along(covariance, axis).max(0.0).sqrt())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn axes_turn_the_covariance_into_a_diagonal() {
+        // A turn by 30° of deviations 3 and 0.5: cos² = 3/4, sin cos = √3/4.
+        let covariance = [9.0 * 0.75 + 0.25 * 0.25, 8.75 * 3f64.sqrt() / 4.0, 9.0 * 0.25 + 0.25 * 0.75];
+        let [long, short] = deviations(covariance);
+        assert!((long - 3.0).abs() < 1e-14 && (short - 0.5).abs() < 1e-14, "{long} {short}");
+        assert!((major_angle(covariance) - std::f64::consts::FRAC_PI_6).abs() < 1e-14);
+        assert_eq!(deviations([0.0; 3]), [0.0; 2]);
+        assert_eq!(deviations([1.0, 0.0, 4.0]), [2.0, 1.0]);
+    }
+
+    #[test]
+    fn a_footprint_is_the_image_of_the_filter() {
+        // Deviations 1 and 2 along x and y of the pixel, x twice as wide on the surface, y sheared by one.
+        let covariance = covariance([2.0, 0.0], [1.0, 1.0], [1.0, 0.0, 4.0]);
+        assert_eq!(covariance, [2.0 * 2.0 + 4.0, 4.0, 4.0]);
+    }
+}

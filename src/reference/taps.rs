@@ -14,7 +14,7 @@ fn mean(count: usize, function: impl Fn(f64, f64) -> f64) -> f64 {
     for tap in 0..count {
         let at = place(tap as f64, count as f64);
         let weight = libm::exp(-0.5 * at * at);
-        sum += weight * function(at, if tap % 2 == 0 { 1.0 } else { -1.0 });
+        sum += weight * function(at, if tap.is_multiple_of(2) { 1.0 } else { -1.0 });
         total += weight;
     }
     sum / total
@@ -27,12 +27,12 @@ fn mean(count: usize, function: impl Fn(f64, f64) -> f64) -> f64 {
 /// and odd numbers of taps, stand in one row.
 pub fn placed(tap: usize, count: usize) -> [f64; 3] {
     let at = place(tap as f64, count as f64);
-    let own = if tap % 2 == 0 { 1.0 } else { -1.0 };
+    let own = if tap.is_multiple_of(2) { 1.0 } else { -1.0 };
     let variance = mean(count, |at, _| at * at);
     let along = if count > 1 { at / variance.sqrt() } else { 0.0 };
     let slope = mean(count, |at, row| at * row) / variance;
     let rest = mean(count, |at, row| (row - slope * at) * (row - slope * at));
-    let across = if count > 2 && count % 2 == 0 { (own - slope * at) / rest.sqrt() } else { 0.0 };
+    let across = if count > 2 && count.is_multiple_of(2) { (own - slope * at) / rest.sqrt() } else { 0.0 };
     let sum = count as f64 * mean(count, |at, _| libm::exp(0.5 * at * at)).recip();
     [along, across, libm::exp(-0.5 * at * at) / sum]
 }

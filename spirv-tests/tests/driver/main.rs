@@ -4,6 +4,7 @@
 mod colors;
 mod device;
 mod pyramids;
+mod references;
 
 use prefilter::reference::moments::{Beyond, Image};
 
