@@ -4,6 +4,7 @@
 
 use prefilter::gpu::{Address, Device, Kernel, Work};
 use prefilter::table::Format;
+use prefilter::transfer::srgb::from_linear;
 use prefilter::{ColorMap, Driver, Edge, MomentMipmap, Moments, Scene, Taps};
 
 const WIDTH: usize = 640;
@@ -61,11 +62,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let work = Work { inputs: &[], textures: &[&moments], invocations: pixels, output: 4 * pixels };
     let colors = kernel.run(&work)?;
 
-    let encode = |linear: f32| {
-        let value = linear.clamp(0.0, 1.0);
-        let encoded = if value <= 0.0031308 { 12.92 * value } else { 1.055 * value.powf(1.0 / 2.4) - 0.055 };
-        (255.0 * encoded + 0.5) as u8
-    };
+    let encode = |linear: f32| (255.0 * from_linear(linear.clamp(0.0, 1.0)) + 0.5) as u8;
     let bytes: Vec<u8> =
         colors.chunks_exact(4).flat_map(|color| [0, 1, 2].map(|channel| encode(color[channel]))).collect();
     image::save_buffer(&path, &bytes, WIDTH as u32, HEIGHT as u32, image::ColorType::Rgb8)?;

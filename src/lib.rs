@@ -1,4 +1,79 @@
-//! Filtered color maps as WGSL.
+//! Filtered color maps for shaders: no shimmer, no supersampling, one evaluation a pixel.
+//!
+//! A pixel covers many values of a noise or of a height field, and a color map bends them: the color of the mean is not
+//! the mean of the colors. Where a driver knows the mean and the deviation of what the pixel covers, the mean color is an
+//! integral over a normal distribution, and this crate writes the WGSL that evaluates it.
+//!
+//! # From a description to a shader
+//!
+//! A [`Scene`] names what is filtered: a [`ColorMap`], perhaps a [`Driver`], the [`Ranges`] of the values and the
+//! [`Accuracy`] wanted. It becomes a [`Module`]: a text of pure functions that naga has validated, the [`Table`]s that
+//! they read, and what is known of their error and cost.
+//!
+//! ```
+//! use prefilter::{Accuracy, ColorMap, Scene};
+//!
+//! let lichen = ColorMap::gradient([
+//!     (0.00, [0.05, 0.09, 0.03]),
+//!     (0.45, [0.21, 0.24, 0.10]),
+//!     (0.45, [0.42, 0.40, 0.37]), // the same position twice: a hard edge
+//!     (1.00, [0.71, 0.69, 0.66]),
+//! ])?;
+//! let module = Scene::new("lichen").texture(lichen).accuracy(Accuracy::max_filter_error(1.0 / 255.0)).module()?;
+//! println!("{}", module.wgsl()); // pure functions, ready to paste, include or concatenate
+//! println!("{}", module.explain()); // which tier, its bound, its cost, and why
+//!
+//! // Your entry points first, the functions behind, all validated:
+//! let shader = module.link(
+//!     "@fragment fn main(@location(0) height: vec2f) -> @location(0) vec4f {
+//!         return vec4f(lichen_texture(height.x, height.y), 1.0);
+//!     }",
+//! )?;
+//! let spirv: Vec<u32> = shader.spirv()?;
+//! # assert!(!spirv.is_empty());
+//! # Ok::<(), prefilter::Error>(())
+//! ```
+//!
+//! # Three ways in
+//!
+//! - *A generator*, at run time or in a build script: [`Scene::module`], as above.
+//! - *An include library*: the shelf, plain WGSL functions in the crate [`prefilter_wgsl`]. Mention one in a shader of
+//!   yours, and `include_wgsl!` (feature `macros`) links it and validates the whole while `cargo build` runs.
+//! - *A module for an engine*: [`Module::wgsl`] has no bindings and no entry points. The host wires, with the signatures of
+//!   [`Module::exports`] and the textures of [`Module::tables`].
+//!
+//! # Tiers
+//!
+//! | [`Tier`] | cost | error |
+//! |---|---|---|
+//! | [`ClosedForm`](Tier::ClosedForm), fast | some 25 operations a stop | 3e-4 and less |
+//! | [`ClosedForm`](Tier::ClosedForm), exact | some 30 operations a stop | f32 rounding |
+//! | [`Table`](Tier::Table) | one fetch, 64 KiB | a few thousandths for gradients; not for hard edges |
+//! | [`Paper`](Tier::Paper) | one fetch, 512 KiB | as the paper's, to compare with |
+//! | [`Naive`](Tier::Naive) | a few operations | everything that this crate is about |
+//!
+//! A scene that names no tier gets the lightest whose bound keeps its accuracy. A [`Bound`] is against the integral; how
+//! far the covered values are from a normal distribution is the driver's matter, and `cargo xtask demo` measures it.
+//!
+//! # Conventions
+//!
+//! - `mean` and `deviation` (σ, never the variance σ²) share the unit of the color map's positions. Deviations below 1e-6
+//!   count as 1e-6.
+//! - Colors are linear, three channels or four: premultiplied alpha, or a material value. The `_srgb` constructors decode.
+//! - Covariances are (xx, xy, yy). Positions of an image are texture coordinates in [0, 1], its top left texel's corner at
+//!   the origin.
+//! - Results stay in the map's hull of colors and are never NaN for numbers that are not.
+//!
+//! # Features
+//!
+//! None by default: a dependent then builds little more than naga. `macros`: `include_wgsl!`. `gpu`: compute on wgpu
+//! without ceremony. `image`, `colorgrad`: color maps from those crates. `serde`: scenes and maps to
+//! files. `glsl`, `hlsl`, `msl`: naga's other writers. `naga`: the validated module itself, tied to naga's version.
+//!
+//! # Source
+//!
+//! Heitz, Nowrouzezahrai, Poulin and Neyret 2014, "Filtering Non-Linear Transfer Functions on Surfaces", IEEE Transactions
+//! on Visualization and Computer Graphics 20(7).
 #![deny(missing_docs)]
 
 mod accuracy;
@@ -33,3 +108,8 @@ pub use scene::Scene;
 pub use shader::{link, Shader};
 pub use table::Table;
 pub use transfer::color_map::{ColorMap, Colors};
+
+/// The README's code blocks are tests, too.
+#[cfg(all(doctest, feature = "macros"))]
+#[doc = include_str!("../README.md")]
+struct Readme;

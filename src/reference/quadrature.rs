@@ -18,7 +18,6 @@ const HALF_RULE: [(f64, f64); 8] = [
 /// Positive nodes and weights of the 4-point rule on [−1, 1].
 ///
 /// Source: as [`HALF_RULE`], n = 4.
-#[expect(clippy::excessive_precision, reason = "digits as printed in the source")]
 const SHORT_RULE: [(f64, f64); 2] =
     [(0.339_981_043_584_856, 0.652_145_154_862_546), (0.861_136_311_594_053, 0.347_854_845_137_454)];
 

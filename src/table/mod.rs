@@ -50,9 +50,9 @@ impl Format {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Sampling {
-    /// Single texels: the export takes the texture alone.
+    /// Single texels: nothing is interpolated. An export that takes a sampler too takes any; a nearest one does.
     Loaded,
-    /// Through a sampler: the export takes the texture and a sampler.
+    /// Interpolated by a linear sampler, which the export takes behind the texture.
     Filtered,
 }
 
