@@ -1,8 +1,8 @@
 //! Filtered color maps for shaders: no shimmer, no supersampling, one evaluation a pixel.
 //!
 //! A pixel covers many values of a noise or of a height field, and a color map bends them: the color of the mean is not
-//! the mean of the colors. Where a driver knows the mean and the deviation of what the pixel covers, the mean color is an
-//! integral over a normal distribution, and this crate writes the WGSL that evaluates it.
+//! the mean of the colors. Where a driver knows the mean and the deviation of what the pixel covers, the mean color is
+//! an integral over a normal distribution, and this crate writes the WGSL that evaluates it.
 //!
 //! # From a description to a shader
 //!
@@ -39,7 +39,8 @@
 //! - *A generator*, at run time or in a build script: [`Scene::module`], as above.
 //! - *An include library*: the shelf, plain WGSL functions in the crate [`prefilter_wgsl`]. Mention one in a shader of
 //!   yours, and `include_wgsl!` (feature `macros`) links it and validates the whole while `cargo build` runs.
-//! - *A module for an engine*: [`Module::wgsl`] has no bindings and no entry points. The host wires, with the signatures of
+//! - *A module for an engine*: [`Module::wgsl`] has no bindings and no entry points. The host wires, with the
+//!   signatures of
 //!   [`Module::exports`] and the textures of [`Module::tables`].
 //!
 //! # Tiers
@@ -52,15 +53,19 @@
 //! | [`Paper`](Tier::Paper) | one fetch, 512 KiB | as the paper's, to compare with |
 //! | [`Naive`](Tier::Naive) | a few operations | everything that this crate is about |
 //!
-//! A scene that names no tier gets the lightest whose bound keeps its accuracy. A [`Bound`] is against the integral; how
-//! far the covered values are from a normal distribution is the driver's matter, and `cargo xtask demo` measures it.
+//! A scene that names no tier gets the lightest whose bound keeps its accuracy. A [`Bound`] is against the integral;
+//! how far the covered values are from a normal distribution is the driver's matter, and `cargo xtask demo` measures
+//! it.
 //!
 //! # Conventions
 //!
-//! - `mean` and `deviation` (σ, never the variance σ²) share the unit of the color map's positions. Deviations below 1e-6
+//! - `mean` and `deviation` (σ, never the variance σ²) share the unit of the color map's positions. Deviations below
+//!   1e-6
 //!   count as 1e-6.
-//! - Colors are linear, three channels or four: premultiplied alpha, or a material value. The `_srgb` constructors decode.
-//! - Covariances are (xx, xy, yy). Positions of an image are texture coordinates in [0, 1], its top left texel's corner at
+//! - Colors are linear, three channels or four: premultiplied alpha, or a material value. The `_srgb` constructors
+//!   decode.
+//! - Covariances are (xx, xy, yy). Positions of an image are texture coordinates in [0, 1], its top left texel's corner
+//!   at
 //!   the origin.
 //! - Results stay in the map's hull of colors and are never NaN for numbers that are not.
 //!
@@ -72,8 +77,8 @@
 //!
 //! # Source
 //!
-//! Heitz, Nowrouzezahrai, Poulin and Neyret 2014, "Filtering Non-Linear Transfer Functions on Surfaces", IEEE Transactions
-//! on Visualization and Computer Graphics 20(7).
+//! Heitz, Nowrouzezahrai, Poulin and Neyret 2014, "Filtering Non-Linear Transfer Functions on Surfaces", IEEE
+//! Transactions on Visualization and Computer Graphics 20(7).
 #![deny(missing_docs)]
 
 mod accuracy;

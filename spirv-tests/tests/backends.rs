@@ -12,10 +12,12 @@ use spirv_tests::scenes;
 type Fault = Box<dyn Error + Send + Sync>;
 type Outcome = Result<(), Fault>;
 
-/// The modules with their fragment and compute probes, made once: tables take a while to bake.
-fn modules() -> Result<&'static [(&'static str, Module, [Shader; 2])], Fault> {
-    type Modules = Result<Vec<(&'static str, Module, [Shader; 2])>, String>;
-    static MODULES: OnceLock<Modules> = OnceLock::new();
+/// A scene's name, its module, and the fragment and the compute shader that call it.
+type Probed = (&'static str, Module, [Shader; 2]);
+
+/// All of them, made once: tables take a while to bake.
+fn modules() -> Result<&'static [Probed], Fault> {
+    static MODULES: OnceLock<Result<Vec<Probed>, String>> = OnceLock::new();
     let linked = |name, module: Module| -> Result<_, prefilter::Error> {
         let shaders = [module.link(&module.probe(Stage::Fragment))?, module.link(&module.probe(Stage::Compute))?];
         Ok((name, module, shaders))
