@@ -40,8 +40,7 @@
 //! - *An include library*: the shelf, plain WGSL functions in the crate [`prefilter_wgsl`]. Mention one in a shader of
 //!   yours, and `include_wgsl!` (feature `macros`) links it and validates the whole while `cargo build` runs.
 //! - *A module for an engine*: [`Module::wgsl`] has no bindings and no entry points. The host wires, with the
-//!   signatures of
-//!   [`Module::exports`] and the textures of [`Module::tables`].
+//!   signatures of [`Module::exports`] and the textures of [`Module::tables`].
 //!
 //! # Tiers
 //!
@@ -60,13 +59,11 @@
 //! # Conventions
 //!
 //! - `mean` and `deviation` (σ, never the variance σ²) share the unit of the color map's positions. Deviations below
-//!   1e-6
-//!   count as 1e-6.
+//!   1e-6 count as 1e-6.
 //! - Colors are linear, three channels or four: premultiplied alpha, or a material value. The `_srgb` constructors
 //!   decode.
 //! - Covariances are (xx, xy, yy). Positions of an image are texture coordinates in [0, 1], its top left texel's corner
-//!   at
-//!   the origin.
+//!   at the origin.
 //! - Results stay in the map's hull of colors and are never NaN for numbers that are not.
 //!
 //! # Features
