@@ -36,7 +36,7 @@ pub struct Row {
     pub picture: Picture,
     /// The still's errors.
     pub deviation: Deviation,
-    /// Milliseconds a still on the device, median.
+    /// Milliseconds a still on the device, the fastest of several.
     pub milliseconds: f64,
     /// Stratified samples a pixel for the same RMS, or the most measured if that is too few.
     pub samples: Result<f64, usize>,

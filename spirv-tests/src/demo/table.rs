@@ -1,6 +1,7 @@
 //! The figures as text: a table for the terminal and one for other programs.
 
 use super::judge::{Judged, Row};
+use super::method::TIMED;
 use super::motion::Motion;
 use std::fmt::Write;
 
@@ -45,7 +46,7 @@ pub fn text(judged: &Judged) -> String {
 pub fn legend(device: &str, [width, height]: [usize; 2]) -> String {
     format!(
         "Errors are those of a pixel's worst channel, in linear color.\n\
-         ms: a frame of {width}x{height} on {device}, median of 9 after 2.\n\
+         ms: a frame of {width}x{height} on {device}, the fastest of {TIMED} after 2.\n\
          samples: stratified samples a pixel at which brute force has the same RMS.\n\
          pan, zoom: shimmer, the deviation of the error over the frames, RMS over the pixels.\n"
     )
