@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use crate::demand::{self, Demand};
+use crate::every_test;
 use crate::shaders;
 use crate::step::{cargo, root, run, test_binary, Summary};
 
@@ -22,12 +23,13 @@ pub fn ci() -> Result<(), String> {
         run(doc.env("RUSTDOCFLAGS", "-D warnings"))
     });
     summary.step("device", || demand::device(|| run(&mut test_binary("device")?)));
-    summary.step("tests", || run(cargo(["test", "--workspace", "--all-features"]).env("INSTA_UPDATE", "no")));
+    summary.step("tests", || run(every_test().env("INSTA_UPDATE", "no")));
     summary.step("snapshots", snapshots);
     summary.step("shaders", shaders::validate);
     summary.step("demo --quick", || {
         run(&mut cargo(["run", "--release", "-p", "spirv-tests", "--bin", "demo", "--", "--quick"]))
     });
+    summary.step("benchmark of links", || run(&mut cargo(["bench", "-p", "spirv-tests", "--bench", "link"])));
     summary.finish()
 }
 

@@ -63,5 +63,10 @@ fn demo(arguments: &[String]) -> Result<(), String> {
 fn test(arguments: &[String]) -> Result<(), String> {
     demand::meet(&[Demand::Vulkan, Demand::SpirvTools, Demand::Glslang])?;
     demand::device(|| run(&mut test_binary("device")?))?;
-    run(cargo(["test", "--workspace", "--all-features"]).args(arguments))
+    run(every_test().args(arguments))
+}
+
+/// What `cargo xtask test` runs, alone and as a step of `cargo xtask ci`.
+fn every_test() -> std::process::Command {
+    cargo(["test", "--workspace", "--all-features"])
 }
