@@ -1,4 +1,5 @@
-//! The rules of the house, read from the files themselves: rooms, dependencies, the shelf's lint, names, sizes, words.
+//! The rules of the house, read from the files themselves: rooms, dependencies, the shelf's lint, names, sizes, words,
+//! pages.
 //!
 //! Every check takes a tree of files and returns its findings, one line each that begins with the file; its own tests
 //! plant the fault that it must find.
@@ -6,6 +7,7 @@
 mod edges;
 mod lint;
 mod names;
+mod pages;
 #[path = "../../../src/reserved.rs"]
 mod reserved;
 mod rooms;
@@ -60,4 +62,9 @@ fn files_and_functions_stay_small() {
 #[test]
 fn committed_text_is_finished_and_portable() {
     clean(words::findings);
+}
+
+#[test]
+fn pages_name_what_exists() {
+    clean(pages::findings);
 }
