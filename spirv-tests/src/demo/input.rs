@@ -30,6 +30,10 @@ impl Input {
     /// Elevations around the Jacksboro fault, their range stretched over matplotlib's `terrain` colors, mirrored at the
     /// edges. A texel is 74 m wide and 93 m high.
     ///
+    /// Two texels a pixel in the lowest row: filtering is for pictures that are minified. Closer up every method is
+    /// nearer to the truth, naive most: at 128x128 one tap has 0.30 of naive's RMS here, 0.33 at one texel a pixel and
+    /// 0.35 at half a texel.
+    ///
     /// # Errors
     /// Damaged data.
     pub fn terrain() -> Result<Self, Error> {
