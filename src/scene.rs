@@ -217,14 +217,14 @@ impl Scene {
         for other in passed {
             let _ = writeln!(text, "  passed  {}: error {}; {}", other.tier, described(&other.filter), other.cost);
         }
-        text + NOT_COVERED
+        let gap = self.driver.map_or(UNDRIVEN.to_owned(), |driver| driver.gap());
+        let _ = writeln!(text, "  not in the error: {gap}");
+        text
     }
 }
 
-/// What no bound of a filter covers.
-const NOT_COVERED: &str =
-    "  not in the error: how far the covered values are from a normal distribution, and how far the driver's\n  \
-                           mean and deviation are from theirs; `cargo xtask demo` measures both on real images\n";
+/// What the bound of a filter without a driver does not cover.
+const UNDRIVEN: &str = "how far a pixel's values are from a normal distribution of that mean and deviation";
 
 fn described(filter: &Filter) -> String {
     match (filter.bound, filter.tables.first()) {

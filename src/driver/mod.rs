@@ -34,6 +34,13 @@ impl Driver {
         }
     }
 
+    /// What no bound of a filter covers with this driver, and how much that was measured to be.
+    pub(crate) fn gap(&self) -> String {
+        match self {
+            Self::Moments(moments) => moments::gap(moments.taps),
+        }
+    }
+
     /// The WGSL of `NAME_color`, which calls `NAME_texture`.
     ///
     /// `extra_parameters` and `extra_arguments` are empty or begin with a comma: what `NAME_texture` takes after the
