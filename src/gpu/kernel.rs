@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use crate::shader::Shader;
 use crate::Error;
 
 use super::{Device, Dispatch, Texture};
@@ -81,11 +82,8 @@ impl Kernel {
 
 /// The width of a workgroup, and the bindings that the entry point mentions.
 fn interface(text: &str, entry: &str) -> Result<(u32, BTreeSet<(u32, u32)>), Error> {
-    let shader = |message: String| Error::Shader { message };
-    let module = naga::front::wgsl::parse_str(text).map_err(|error| shader(error.emit_to_string(text)))?;
-    let mut validator =
-        naga::valid::Validator::new(naga::valid::ValidationFlags::all(), naga::valid::Capabilities::empty());
-    let info = validator.validate(&module).map_err(|error| shader(error.emit_to_string(text)))?;
+    let shader = Shader::new("kernel.wgsl", text.to_owned())?;
+    let (module, info) = shader.parsed();
     let compute = |point: &naga::EntryPoint| point.name == entry && point.stage == naga::ShaderStage::Compute;
     let Some(number) = module.entry_points.iter().position(compute) else {
         return Err(Error::Device { message: format!("the text has no compute entry point `{entry}`") });
