@@ -6,6 +6,7 @@ pub mod demo;
 pub mod exports;
 pub mod fill;
 pub mod harness;
+pub mod judged;
 pub mod kernel;
 pub mod maps;
 pub mod rows;

@@ -3,9 +3,9 @@
 use std::error::Error;
 
 use prefilter::gpu::Device;
-use prefilter::reference::texture;
-use prefilter::{ColorMap, Colors, Kernel, Module, Ranges, Scene, Tier};
+use prefilter::{ColorMap, Colors, Kernel, Ranges, Scene, Tier};
 use spirv_tests::exports::ExportKernel;
+use spirv_tests::judged::{measured, points};
 use spirv_tests::maps::{named, random};
 use spirv_tests::scenes;
 
@@ -14,49 +14,6 @@ type Outcome = Result<(), Box<dyn Error + Send + Sync>>;
 const EXACT: Tier = Tier::ClosedForm(Kernel::Exact);
 const FAST: Tier = Tier::ClosedForm(Kernel::Fast);
 
-/// Means and deviations: an additive recurrence over means in `low..high` and logarithms of deviations in
-/// [1e-6, `reach`], and for each knot means at some deviations from it, on both sides.
-fn points(map: &ColorMap, (low, high): (f32, f32), reach: f32) -> Vec<f32> {
-    let deviation = |part: f64| (1e-6f64.ln() + part * (f64::from(reach).ln() - 1e-6f64.ln())).exp() as f32;
-    let even = (0..20_000u32).flat_map(|index| {
-        // The plastic number's inverse powers: the most even recurrence in two dimensions.
-        let part = |step: f64| (0.5 + f64::from(index) * step).fract();
-        let mean = f64::from(low) + part(0.754_877_666_246_692_7) * (f64::from(high) - f64::from(low));
-        [mean as f32, deviation(part(0.569_840_290_998_053_2))]
-    });
-    let knots = map.knots().iter().flat_map(|knot| {
-        (0..=24).flat_map(move |index| {
-            let sigma = deviation(f64::from(index) / 24.0);
-            [-2.3, -0.7, 0.0, 0.4, 1.9].into_iter().flat_map(move |offset: f32| [knot.position + offset * sigma, sigma])
-        })
-    });
-    let inside = |point: &[f32]| (low..=high).contains(&point[0]) && point[1] <= reach;
-    let all: Vec<f32> = even.chain(knots).collect();
-    all.chunks_exact(2).filter(|point| inside(point)).flatten().copied().collect()
-}
-
-/// The largest error of the module's C0 export over the points, where the map is in f32 and the integral in f64.
-fn measured(device: &Device, module: &Module, map: &ColorMap, points: &[f32]) -> Result<f32, prefilter::Error> {
-    let colors = ExportKernel::new(device, module, &module.exports()[0])?.run(points)?;
-    let reference = map.reference();
-    let (low, high) = map.hull();
-    let mut worst = 0.0f64;
-    assert!(!colors.is_empty() && colors.len() == points.len() / 2);
-    for (color, point) in colors.iter().zip(points.chunks_exact(2)) {
-        let truth = texture::mean(&reference, point[0].into(), point[1].into());
-        for channel in 0..map.channels() {
-            let error = (f64::from(color[channel]) - truth[channel]).abs();
-            assert!(error.is_finite(), "{} at {point:?}: {color:?}", module.name());
-            // Colors in tables are halves, and so may be their hull's.
-            let slack = 5e-4 * high[channel].abs().max(low[channel].abs());
-            let hull = low[channel] - slack..=high[channel] + slack;
-            assert!(hull.contains(&color[channel]), "{} at {point:?} leaves the hull: {color:?}", module.name());
-            worst = worst.max(error);
-        }
-    }
-    Ok(worst as f32)
-}
-
 fn error_of(
     device: &Device,
     map: &ColorMap,
@@ -64,7 +21,7 @@ fn error_of(
     means: (f32, f32),
 ) -> Result<f32, Box<dyn Error + Send + Sync>> {
     let module = Scene::new("judged").texture(map.clone()).tier(tier).module()?;
-    let error = measured(device, &module, map, &points(map, means, 0.5))?;
+    let error = measured(device, &module, map, &points(map, Ranges { mean: means, deviation: 0.5 }, 20_000))?;
     println!("{tier}, {} knots: {error:.2e}", map.knots().len());
     Ok(error)
 }
@@ -120,7 +77,7 @@ fn every_scene_keeps_its_bound() -> Outcome {
     for (name, scene) in scenes::all()? {
         let module = scene.module()?;
         let (map, ranges) = (scene.map().ok_or("no map")?, scene.chosen_ranges());
-        let error = measured(&device, &module, map, &points(map, ranges.mean, ranges.deviation))?;
+        let error = measured(&device, &module, map, &points(map, ranges, 20_000))?;
         println!("{name}: {error:.2e}, bound {}", module.bound());
         // The reference itself errs by 1e-13.
         assert!(error <= module.bound().value() + 1e-12, "{name}: {error} exceeds {}", module.bound());
@@ -171,7 +128,7 @@ fn units_cancel() -> Outcome {
     let wide = Ranges { mean: (-256.0, 1280.0), deviation: 512.0 };
     let module = Scene::new("unit").texture(one.clone()).tier(EXACT).module()?;
     let meters = Scene::new("meters").texture(many).tier(EXACT).ranges(wide).module()?;
-    let points = points(&one, (-0.25, 1.25), 0.5);
+    let points = points(&one, Ranges::default(), 20_000);
     let scaled: Vec<f32> = points.iter().map(|value| value * 1024.0).collect();
     let ours = ExportKernel::new(&device, &module, &module.exports()[0])?.run(&points)?;
     let theirs = ExportKernel::new(&device, &meters, &meters.exports()[0])?.run(&scaled)?;

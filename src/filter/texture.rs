@@ -5,14 +5,16 @@
 
 use super::{Kernel, Tier};
 use crate::accuracy::{promise, Bound, Ranges};
+use crate::reference::normal::{cumulative, density};
 use crate::table::bake::bake;
 use crate::table::grid::{Axis, Spacing};
 use crate::table::{Format, Level, Sampling, Table};
 use crate::transfer::color_map::{ColorMap, Colors, Knot};
-use crate::transfer::pieces::{Pieces, RESIDUE};
+use crate::transfer::pieces::{Pieces, ROUNDING};
 use crate::Error;
 
-/// Segments narrower than this part of the means' range become ramps: a difference of kinks loses 6e-8/width.
+/// Segments narrower than this part of the means' range, or of three deviations, become ramps: a difference of kinks
+/// loses 6e-8/width.
 const NARROW: f64 = 0.01;
 
 /// With the fast kernel, segments become ramps that rise by more than this many hulls over the means' unit: each of
@@ -53,12 +55,13 @@ pub(crate) fn filter(map: &ColorMap, colors: Colors, tier: Tier, ranges: Ranges)
 
 /// The map's pieces for a kernel.
 fn pieces(map: &ColorMap, kernel: Kernel, ranges: Ranges) -> Pieces {
-    let narrow = NARROW * (f64::from(ranges.mean.1) - f64::from(ranges.mean.0));
+    let span = f64::from(ranges.mean.1) - f64::from(ranges.mean.0);
+    let narrow = NARROW * span.max(3.0 * f64::from(ranges.deviation));
     let (low, high) = map.hull();
     let hull: [f64; 4] = std::array::from_fn(|channel| f64::from(high[channel]) - f64::from(low[channel]));
     let unit = scale(map, ranges);
     Pieces::new(map, |width, rise| {
-        let steep = rise.iter().zip(hull).any(|(rise, hull)| f64::from(rise.abs()) * unit > STEEP * hull * width);
+        let steep = rise.iter().zip(hull).any(|(rise, hull)| rise.abs() * unit > STEEP * hull * width);
         width < narrow || (kernel == Kernel::Fast && steep)
     })
 }
@@ -119,12 +122,12 @@ fn naive(map: &ColorMap, ranges: Ranges) -> Filter {
         body += &format!("    c += select({}, {}, mean >= {edge});\n", color(map, [0.0; 4]), color(map, step.change));
     }
     body += &returned(map, "c");
-    Filter { body, tables: Vec::new(), bound: naive_bound(map, ranges), trips: 1 }
+    Filter { body, tables: Vec::new(), bound: naive_bound(map, &pieces, ranges), trips: 1 }
 }
 
 /// A map turns a normal variable's mean distance from its mean, σ√(2/π), into at most its steepest slope times that,
-/// and never leaves its hull.
-fn naive_bound(map: &ColorMap, ranges: Ranges) -> Bound {
+/// and never leaves its hull; the rest is rounding.
+fn naive_bound(map: &ColorMap, pieces: &Pieces, ranges: Ranges) -> Bound {
     let (low, high) = map.hull();
     let width = low.iter().zip(high).map(|(low, high)| high - low).fold(0.0, f32::max);
     let jumps = map.knots().iter().any(|knot| knot.left != knot.right);
@@ -134,7 +137,8 @@ fn naive_bound(map: &ColorMap, ranges: Ranges) -> Bound {
     });
     let slope = if jumps { f32::INFINITY } else { steepest.fold(0.0, f32::max) };
     let spread = ranges.deviation * (2.0 / std::f32::consts::PI).sqrt();
-    Bound::Guaranteed(if slope == 0.0 { 0.0 } else { width.min(slope * spread) })
+    let rounding = (0..4).map(|channel| pieces.rounding(channel, |at| reach(ranges, at))).fold(0.0, f64::max);
+    Bound::Guaranteed(width.min(slope * spread) + rounding as f32)
 }
 
 /// `mean - 0.45` or `mean + 0.45`.
@@ -185,15 +189,11 @@ fn closed_form(map: &ColorMap, kernel: Kernel, ranges: Ranges) -> Filter {
 /// Kinks scale with the unit of their arguments: E[max(λf − λt, 0)] = λ E[max(f − t, 0)]. The shelf promises an error
 /// for distances up to 1.5 and deviations up to 0.5, and λ makes those of the scene's ranges.
 fn closed_form_bound(map: &ColorMap, pieces: &Pieces, suffix: &str, ranges: Ranges) -> Bound {
-    let kink = promise(&format!("texture_kink{suffix}")) * scale(map, ranges) + farthest(map, ranges) * ROUNDING;
+    let kink = promise(&format!("texture_kink{suffix}")) * scale(map, ranges);
     let (ramp, step) = (promise("texture_ramp"), promise(&format!("texture_step{suffix}")));
-    let (low, high) = map.hull();
-    let knots = map.knots();
-    let length = f64::from(knots[knots.len() - 1].position) - f64::from(knots[0].position);
-    let left_out = if length > 0.0 { RESIDUE * farthest(map, ranges) / length } else { 0.0 };
     let bound = |channel: usize| {
         let size = |change: [f32; 4]| f64::from(change[channel].abs());
-        left_out * (f64::from(high[channel]) - f64::from(low[channel]))
+        pieces.rounding(channel, |at| reach(ranges, at))
             + pieces.kinks.iter().map(|piece| size(piece.change) * kink).sum::<f64>()
             + pieces.ramps.iter().map(|piece| size(piece.change) * ramp).sum::<f64>()
             + pieces.steps.iter().map(|piece| size(piece.change) * step).sum::<f64>()
@@ -201,13 +201,17 @@ fn closed_form_bound(map: &ColorMap, pieces: &Pieces, suffix: &str, ranges: Rang
     Bound::Guaranteed((0..4).map(bound).fold(0.0, f64::max) as f32)
 }
 
-/// How many times a scene's distances and deviations are those of the shelf's contracts, at least 1.
-fn scale(map: &ColorMap, ranges: Ranges) -> f64 {
-    (farthest(map, ranges) / 1.5).max(f64::from(ranges.deviation) / 0.5).max(1.0)
+/// The largest mean of max(f − position, 0) in a scene's ranges: that of the largest mean and deviation.
+fn reach(ranges: Ranges, position: f32) -> f64 {
+    let (distance, deviation) = (f64::from(ranges.mean.1) - f64::from(position), f64::from(ranges.deviation));
+    let at = distance / deviation;
+    (distance * cumulative(at) + deviation * density(at)).max(0.0)
 }
 
-/// Two roundings of a term, relative to the term.
-const ROUNDING: f64 = 1.2e-7;
+/// How many times a scene's distances and deviations are those of the shelf's contracts.
+fn scale(map: &ColorMap, ranges: Ranges) -> f64 {
+    (farthest(map, ranges) / 1.5).max(f64::from(ranges.deviation) / 0.5)
+}
 
 /// The largest distance of a mean in the ranges from a knot.
 fn farthest(map: &ColorMap, ranges: Ranges) -> f64 {
@@ -235,14 +239,20 @@ fn knots(map: &ColorMap, ranges: Ranges) -> Filter {
     Filter { body, tables: vec![table], bound: knots_bound(map), trips: knots.len() }
 }
 
-/// Each segment and each edge is a weight times a difference of colors, so the weights' promises are enough.
+/// Each segment and each edge is a weight times a difference of colors, so the weights' promises are enough, with three
+/// roundings of the term and one of the sum, which stays in the hull.
 fn knots_bound(map: &ColorMap) -> Bound {
     let (ramp, step) = (promise("texture_ramp"), promise("texture_step"));
-    let change = |from: [f32; 4], to: [f32; 4], channel: usize| f64::from((to[channel] - from[channel]).abs());
+    let (low, high) = map.hull();
     let bound = |channel: usize| {
-        let edges = map.knots().iter().map(|knot| change(knot.left, knot.right, channel) * (step + ROUNDING));
-        let segments =
-            map.knots().windows(2).map(|pair| change(pair[0].right, pair[1].left, channel) * (ramp + ROUNDING));
+        let largest = f64::from(low[channel].abs().max(high[channel].abs()));
+        let term = |from: [f32; 4], to: [f32; 4], promise: f64| {
+            let change = (f64::from(to[channel]) - f64::from(from[channel])).abs();
+            let rounding = if change > 0.0 { ROUNDING * largest } else { 0.0 };
+            change * (promise + 3.0 * ROUNDING) + rounding
+        };
+        let edges = map.knots().iter().map(|knot| term(knot.left, knot.right, step));
+        let segments = map.knots().windows(2).map(|pair| term(pair[0].right, pair[1].left, ramp));
         edges.sum::<f64>() + segments.sum::<f64>()
     };
     Bound::Guaranteed((0..4).map(bound).fold(0.0, f64::max) as f32)

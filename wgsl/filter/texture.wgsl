@@ -52,10 +52,12 @@ fn texture_step_fast(distance: f32, deviation: f32) -> f32 {
 fn texture_ramp(distance: f32, width: f32, deviation: f32) -> f32 {
     let s = max(deviation, 1e-6);
     let r = 1.0 / s;
+    let past = distance - width;
     if width * r < 0.02 {
-        return normal_cdf((distance - 0.5 * width) * r);
+        // From both ends: a compiler may fold half a width into t, which may be too far from 0 to hold it.
+        return normal_cdf(0.5 * (distance + past) * r);
     }
-    let excess = normal_excess(abs(distance) * r) - normal_excess(abs(distance - width) * r);
+    let excess = normal_excess(abs(distance) * r) - normal_excess(abs(past) * r);
     return clamp((clamp(distance, 0.0, width) + s * excess) / width, 0.0, 1.0);
 }
 
