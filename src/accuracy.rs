@@ -3,6 +3,10 @@
 use crate::Error;
 
 /// The values over which a scene's bounds hold, in the unit of the color map's positions.
+///
+/// Means and deviations are at most 65504 either way, the range of means at least 0.001 wide and the largest deviation
+/// at least 0.001; [`Scene::module`](crate::Scene::module) refuses others. Bounds hold from a deviation of 1e-6, as
+/// which smaller ones count.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Ranges {
@@ -75,7 +79,8 @@ impl Accuracy {
 
 /// What is known of the largest error of a channel over a scene's [`Ranges`], in color units.
 ///
-/// The error is against the integral that the filter approximates: the mean of the map over a normal variable.
+/// The error is against the integral that the filter approximates: the mean of the map over a normal variable, with a
+/// deviation from 1e-6 to the largest of the ranges.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Bound {

@@ -15,6 +15,9 @@ pub(crate) fn check(name: &str) -> Result<(), Error> {
         [.., last] if last.is_ascii_digit() => return refused("ends in a digit, which naga would number on".into()),
         [.., b'_'] => return refused("ends in an underscore".into()),
         _ if name.contains("__") => return refused("holds a double underscore, reserved in GLSL".into()),
+        _ if GLSL_PREFIXES.iter().any(|prefix| name.split('_').next() == Some(prefix)) => {
+            return refused("begins exports as names reserved in GLSL begin".into())
+        }
         _ => {}
     }
     if let Some(language) = reserved::language(name) {
@@ -25,3 +28,6 @@ pub(crate) fn check(name: &str) -> Result<(), Error> {
 
 /// GLSL promises identifiers of up to 1024 characters; nobody needs the tenth of it.
 const MAX_LENGTH: usize = 100;
+
+/// First parts of names that GLSL and WebGL keep for themselves.
+const GLSL_PREFIXES: [&str; 2] = ["gl", "webgl"];

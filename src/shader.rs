@@ -57,8 +57,9 @@ impl Shader {
         use naga::back::glsl;
         let (module, info) = self.parsed();
         let Some(point) = module.entry_points.iter().find(|point| point.name == entry) else {
-            let names: Vec<&str> = module.entry_points.iter().map(|point| point.name.as_str()).collect();
-            let message = format!("there is no entry point `{entry}`; there is {}", names.join(", "));
+            let names: Vec<String> = module.entry_points.iter().map(|point| format!("`{}`", point.name)).collect();
+            let known = if names.is_empty() { "none".to_owned() } else { names.join(", ") };
+            let message = format!("there is no entry point `{entry}`; the shader has {known}");
             return Err(Error::Backend { language: "GLSL", message });
         };
         let version =

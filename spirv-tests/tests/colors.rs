@@ -110,7 +110,11 @@ fn maps_that_are_none_are_refused() {
     }
     let unsorted = ColorMap::gradient([(0.5, BLACK), (0.25, WHITE)]);
     let message = unsorted.map(|_| ()).unwrap_err().to_string();
-    assert_eq!(message, "knot 1's position is 0.25; allowed is above the position before it, 0.5");
+    assert_eq!(message, "stop 1's position is 0.25; allowed is not below the position before it, 0.5");
+    // The place is that in the input, where a hard edge counts twice.
+    let late = ColorMap::gradient([(0.5, BLACK), (0.5, WHITE), (0.7, [0.0, f32::NAN, 0.0])]);
+    let message = late.map(|_| ()).unwrap_err().to_string();
+    assert_eq!(message, "a color channel of stop 2 is NaN; allowed is a number from -65504 to 65504");
     let tripled = ColorMap::gradient([(0.5, BLACK), (0.5, WHITE), (0.5, BLACK)]);
     assert!(matches!(tripled, Err(Error::Value { .. })));
     assert!(matches!(ColorMap::bands(BLACK, [(0.5, WHITE), (0.5, BLACK)]), Err(Error::Value { .. })));
@@ -124,5 +128,8 @@ fn a_map_survives_serialization_and_a_broken_one_does_not() -> Outcome {
     let broken = text.replace("0.7,\"left\"", "-0.7,\"left\"");
     assert_ne!(broken, text);
     assert!(serde_json::from_str::<ColorMap>(&broken).is_err_and(|error| error.to_string().contains("above")));
+    let three = text.replace("\"channels\":4", "\"channels\":3");
+    assert_ne!(three, text);
+    assert!(serde_json::from_str::<ColorMap>(&three).is_err_and(|error| error.to_string().contains("fourth")));
     Ok(())
 }

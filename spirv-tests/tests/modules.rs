@@ -85,7 +85,22 @@ fn scenes_that_cannot_be_are_refused() -> Outcome {
     for name in ["fn", "discard", "varying", "uvec3", "cbuffer", "SamplerState", "kernel", "constexpr"] {
         assert!(matches!(scene(name)?.module(), Err(Error::Name { .. })), "{name}");
     }
-    for name in ["", "1st", "a b", "größe", "a__b", "_a", "a_", "map2", "a-b", "a\nb", &"a".repeat(1000)] {
+    for name in [
+        "",
+        "1st",
+        "a b",
+        "größe",
+        "a__b",
+        "_a",
+        "a_",
+        "map2",
+        "a-b",
+        "a\nb",
+        "gl",
+        "gl_a",
+        "webgl_a",
+        &"a".repeat(1000),
+    ] {
         assert!(matches!(scene(name)?.module(), Err(Error::Name { .. })), "{name}");
     }
     assert!(matches!(Scene::new("empty").module(), Err(Error::Conflict(_))));
@@ -150,6 +165,15 @@ fn probes_call_every_export() -> Outcome {
             assert!(module.exports().iter().all(|export| probe.contains(&format!("{}(", export.name))), "{name}");
             module.link(&probe)?;
         }
+    }
+    Ok(())
+}
+
+#[test]
+fn scenes_survive_serialization() -> Outcome {
+    for (name, scene) in scenes::all()? {
+        let text = serde_json::to_string(&scene)?;
+        assert_eq!(serde_json::from_str::<Scene>(&text)?, scene, "{name}");
     }
     Ok(())
 }

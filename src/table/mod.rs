@@ -52,7 +52,7 @@ impl Format {
 pub enum Sampling {
     /// Single texels: nothing is interpolated. An export that takes a sampler too takes any; a nearest one does.
     Loaded,
-    /// Interpolated by a linear sampler, which the export takes behind the texture.
+    /// Interpolated by a linear sampler that clamps at the edges; the export takes it behind the texture.
     Filtered,
 }
 

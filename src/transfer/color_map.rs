@@ -69,17 +69,18 @@ impl ColorMap {
         let mut doubled = false;
         for (index, (position, color)) in stops.into_iter().enumerate() {
             let color = four(color)?;
+            within(&format!("stop {index}"), position, &[color])?;
+            let refused = |allowed: &str| Err(value(format!("stop {index}'s position"), position, allowed));
             match knots.last_mut() {
-                Some(last) if last.position == position && !doubled => {
+                Some(last) if position < last.position => {
+                    return refused(&format!("not below the position before it, {}", last.position))
+                }
+                Some(last) if position == last.position && doubled => {
+                    return refused("at most two stops at one position")
+                }
+                Some(last) if position == last.position => {
                     last.right = color;
                     doubled = true;
-                }
-                Some(last) if last.position == position => {
-                    return Err(value(
-                        format!("stop {index}'s position"),
-                        position,
-                        "at most two stops at one position",
-                    ));
                 }
                 _ => {
                     knots.push(Knot { position, left: color, right: color });
@@ -160,15 +161,7 @@ impl ColorMap {
     pub(super) fn from_knots(knots: Vec<Knot>, channels: usize) -> Result<Self, Error> {
         count(knots.len())?;
         for (index, knot) in knots.iter().enumerate() {
-            if !knot.position.is_finite() || knot.position.abs() > MAX_COLOR {
-                let allowed = format!("a number from -{MAX_COLOR} to {MAX_COLOR}");
-                return Err(value(format!("knot {index}'s position"), knot.position, &allowed));
-            }
-            let bad = |color: &[f32; 4]| color.iter().copied().find(|channel| !(channel.abs() <= MAX_COLOR));
-            if let Some(channel) = bad(&knot.left).or(bad(&knot.right)) {
-                let allowed = format!("a number from -{MAX_COLOR} to {MAX_COLOR}");
-                return Err(value(format!("a color channel of knot {index}"), channel, &allowed));
-            }
+            within(&format!("knot {index}"), knot.position, &[knot.left, knot.right])?;
         }
         for (index, pair) in knots.windows(2).enumerate() {
             if pair[1].position <= pair[0].position {
@@ -211,6 +204,18 @@ fn four<const N: usize>(color: [f32; N]) -> Result<[f32; 4], Error> {
         return Err(Error::Size { what: "the channels of a color".into(), count: N, allowed: "3 or 4".into() });
     }
     Ok(std::array::from_fn(|channel| color.get(channel).copied().unwrap_or(0.0)))
+}
+
+/// Whether a position and its colors are in the limits.
+fn within(what: &str, position: f32, colors: &[[f32; 4]]) -> Result<(), Error> {
+    let allowed = format!("a number from -{MAX_COLOR} to {MAX_COLOR}");
+    if !(position.abs() <= MAX_COLOR) {
+        return Err(value(format!("{what}'s position"), position, &allowed));
+    }
+    match colors.iter().flatten().find(|channel| !(channel.abs() <= MAX_COLOR)) {
+        Some(&channel) => Err(value(format!("a color channel of {what}"), channel, &allowed)),
+        None => Ok(()),
+    }
 }
 
 fn count(count: usize) -> Result<(), Error> {

@@ -23,6 +23,11 @@ impl TryFrom<Parts> for ColorMap {
             let what = "the channels of a color".into();
             return Err(Error::Size { what, count: parts.channels, allowed: "3 or 4".into() });
         }
+        let fourth = parts.knots.iter().flat_map(|knot| [knot.left[3], knot.right[3]]).find(|&fourth| fourth != 0.0);
+        if let (3, Some(fourth)) = (parts.channels, fourth) {
+            let what = "the fourth channel of a map with three".into();
+            return Err(Error::Value { what, value: fourth.into(), allowed: "0".into() });
+        }
         Self::from_knots(parts.knots, parts.channels)
     }
 }

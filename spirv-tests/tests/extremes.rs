@@ -1,0 +1,123 @@
+//! Whatever numbers a description holds, it becomes a module or an error, never a panic.
+
+use std::error::Error as StdError;
+
+use prefilter::{
+    Accuracy, ColorMap, Colors, Driver, Error, Kernel, Module, Moments, Pixel, Ranges, Scene, Shader, Table, Taps, Tier,
+};
+use proptest::prelude::*;
+
+/// Any f32: subnormal, infinite and NaN, and often one at a limit.
+fn number() -> impl Strategy<Value = f32> {
+    let limits = [0.0, -0.0, 1.0, 1e-6, 1e-3, 65504.0, -65504.0, f32::MAX, f32::MIN_POSITIVE, 1e-45, 0.1, 0.5];
+    prop_oneof![2 => proptest::num::f32::ANY, 3 => proptest::sample::select(limits.to_vec()), 3 => -2.0f32..2.0]
+}
+
+fn stops() -> impl Strategy<Value = Vec<(f32, [f32; 4])>> {
+    prop::collection::vec((number(), prop::array::uniform4(number())), 0..6)
+}
+
+/// Stops that make a map: sorted, no position more than twice, in the limits.
+fn sorted(stops: &[(f32, [f32; 4])]) -> Vec<(f32, [f32; 4])> {
+    let fine = |number: f32| if number.abs() <= 65504.0 { number } else { 0.25 };
+    let mut stops: Vec<_> = stops.iter().map(|(at, color)| (fine(*at) + 0.0, color.map(fine))).collect();
+    stops.sort_by(|a, b| a.0.total_cmp(&b.0));
+    stops.dedup_by_key(|stop| stop.0);
+    stops
+}
+
+fn tier() -> impl Strategy<Value = (Option<Tier>, Colors)> {
+    let exact = Tier::ClosedForm(Kernel::Exact);
+    let fast = Tier::ClosedForm(Kernel::Fast);
+    proptest::sample::select(vec![
+        (Some(Tier::Naive), Colors::Constant),
+        (Some(fast), Colors::Constant),
+        (Some(exact), Colors::Constant),
+        (Some(exact), Colors::Dynamic),
+        (Some(Tier::Naive), Colors::Dynamic),
+        (None, Colors::Dynamic),
+        (None, Colors::Constant),
+    ])
+}
+
+fn pixel() -> impl Strategy<Value = Pixel> {
+    prop_oneof![number().prop_map(Pixel::Round), prop::array::uniform3(number()).prop_map(Pixel::Covariance)]
+}
+
+/// Whether a module's text, numbers and probe hold together.
+fn sound(scene: &Scene) -> Result<(), TestCaseError> {
+    let Ok(module) = scene.module() else { return Ok(()) };
+    prop_assert!(module.bound().value() >= 0.0 && module.bound().value().is_finite(), "{}", module.explain());
+    let linked = module.link(&module.probe(prefilter::Stage::Fragment));
+    prop_assert!(linked.is_ok_and(|shader| shader.spirv().is_ok()), "{}", module.wgsl());
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 2000, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn constructors_return(stops in stops(), low in number(), high in number()) {
+        let colors: Vec<[f32; 4]> = stops.iter().map(|stop| stop.1).collect();
+        let _ = ColorMap::gradient(stops.clone());
+        let _ = ColorMap::gradient_srgb(stops.clone());
+        let _ = ColorMap::bands([low; 4], stops.clone());
+        let _ = ColorMap::bands_srgb([low; 4], stops.clone());
+        let _ = ColorMap::sampled(low, high, &colors);
+        let _ = ColorMap::sampled_srgb(low, high, &colors);
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 300, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn scenes_return(
+        stops in stops(), (tier, colors) in tier(), pixel in pixel(), error in number(),
+        mean in (number(), number()), deviation in number(),
+    ) {
+        let stops = sorted(&stops);
+        let accuracy = Accuracy::max_filter_error(error).without_tables();
+        let driver = Driver::Moments(Moments { taps: Taps::Two, pixel });
+        let Ok(map) = ColorMap::gradient(stops) else { return Ok(()) };
+        let scene = Scene::new("extreme").texture(map).colors(colors);
+        let scene = tier.map_or(scene.clone().accuracy(accuracy), |tier| scene.tier(tier));
+        sound(&scene)?;
+        sound(&scene.clone().driver(driver))?;
+        sound(&scene.clone().ranges(Ranges { mean, deviation }))?;
+        sound(&scene.ranges(Ranges { mean, deviation }).driver(driver))?;
+    }
+}
+
+#[test]
+fn as_many_knots_as_a_map_may_have() -> Result<(), Box<dyn StdError + Send + Sync>> {
+    let many = |count: i32| {
+        ColorMap::gradient((0..count).map(|at| (at as f32, [(at % 7) as f32 / 6.0, 0.5, (at % 2) as f32])))
+    };
+    let ranges = Ranges { mean: (-10.0, 2100.0), deviation: 600.0 };
+    for (count, tier, colors) in [
+        (600, Tier::ClosedForm(Kernel::Exact), Colors::Constant), // naga's time grows with the square
+        (2048, Tier::ClosedForm(Kernel::Exact), Colors::Dynamic),
+        (2048, Tier::Table, Colors::Constant),
+    ] {
+        let module = Scene::new("many").texture(many(count)?).ranges(ranges).tier(tier).colors(colors).module()?;
+        module.link(&module.probe(prefilter::Stage::Compute))?.spirv()?;
+    }
+    Ok(())
+}
+
+#[test]
+fn descriptions_and_results_go_between_threads() {
+    fn shared<T: Send + Sync + Clone + std::fmt::Debug>() {}
+    shared::<Scene>();
+    shared::<ColorMap>();
+    shared::<Module>();
+    shared::<Shader>();
+    shared::<Table>();
+    shared::<Error>();
+    shared::<prefilter::MomentMipmap>();
+    shared::<prefilter::gpu::Device>();
+    shared::<prefilter::gpu::Kernel>();
+    shared::<prefilter::gpu::Dispatch>();
+    shared::<prefilter::gpu::Texture>();
+}
