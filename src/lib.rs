@@ -64,8 +64,8 @@
 //!   decode.
 //! - Covariances are (xx, xy, yy). Positions of an image are texture coordinates in [0, 1], its top left texel's corner
 //!   at the origin.
-//! - Results stay in the map's hull of colors, those of tables to the rounding of halves (5e-4 of a color), and are
-//!   never NaN for numbers that are not.
+//! - Results stay in the map's hull of colors, those of tables to the rounding of halves, and are never NaN for finite
+//!   numbers.
 //!
 //! # Features
 //!
