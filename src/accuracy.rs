@@ -28,14 +28,18 @@ impl Ranges {
         let fine = |value: f32| value.abs() <= 65504.0;
         for (what, value) in [("the low end of the means", low), ("the high end of the means", high)] {
             if !fine(value) {
-                return Err(refused(what, value, "a number from -65504 to 65504"));
+                return Err(Error::value(what, value, "a number from -65504 to 65504"));
             }
         }
         if high - low < 1e-3 {
-            return Err(refused("the high end of the means", high, &format!("at least 0.001 above the low end {low}")));
+            return Err(Error::value(
+                "the high end of the means",
+                high,
+                format!("at least 0.001 above the low end {low}"),
+            ));
         }
         if !(self.deviation >= 1e-3 && fine(self.deviation)) {
-            return Err(refused("the largest deviation", self.deviation, "0.001 to 65504"));
+            return Err(Error::value("the largest deviation", self.deviation, "0.001 to 65504"));
         }
         Ok(())
     }
@@ -73,7 +77,7 @@ impl Accuracy {
         if self.max_filter_error > 0.0 && self.max_filter_error.is_finite() {
             return Ok(());
         }
-        Err(refused("the largest filter error", self.max_filter_error, "a positive number"))
+        Err(Error::value("the largest filter error", self.max_filter_error, "a positive number"))
     }
 }
 
@@ -119,8 +123,4 @@ fn stated(documentation: &str) -> Option<f64> {
     let line = documentation.lines().find_map(|line| line.strip_prefix("Error:"))?;
     let (number, _) = line.split_once("absolute")?;
     number.trim().parse().ok()
-}
-
-fn refused(what: &str, value: f32, allowed: &str) -> Error {
-    Error::Value { what: what.to_owned(), value: f64::from(value), allowed: allowed.to_owned() }
 }

@@ -44,7 +44,7 @@ impl std::fmt::Display for Cost {
 
 /// Operations that a filtered fetch of halves is worth, by the throughputs of one streaming multiprocessor: 128
 /// multiply-adds and, of four halves, 2 filtered fetches a clock.
-pub const FETCH: usize = 64;
+const FETCH: usize = 64;
 
 /// The cost of calling a function; `trips` gives the iterations of the loops in a function, by its name.
 pub(crate) fn call(module: &naga::Module, info: &ModuleInfo, name: &str, trips: &BTreeMap<String, usize>) -> Cost {

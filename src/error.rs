@@ -16,12 +16,12 @@ pub enum Error {
         reason: String,
     },
     /// A number outside its range, NaN and infinity included.
-    #[error("{what} is {value}; allowed is {allowed}")]
+    #[error("{what} is {value:?}; allowed is {allowed}")]
     Value {
         /// Which number, with its place in the input.
         what: String,
         /// The number as given.
-        value: f64,
+        value: f32,
         /// The allowed range or relation.
         allowed: String,
     },
@@ -81,4 +81,11 @@ pub enum Error {
         /// What happened, and how to get a device.
         message: String,
     },
+}
+
+impl Error {
+    /// [`Error::Value`] from its parts.
+    pub(crate) fn value(what: impl Into<String>, value: f32, allowed: impl Into<String>) -> Self {
+        Self::Value { what: what.into(), value, allowed: allowed.into() }
+    }
 }

@@ -120,6 +120,9 @@ fn scenes_that_cannot_be_are_refused() -> Outcome {
         let refused = scene("ranged")?.ranges(Ranges { mean, deviation }).module();
         assert!(matches!(refused, Err(Error::Value { .. })), "{mean:?} {deviation}");
     }
+    let narrow = scene("ranged")?.ranges(Ranges { deviation: 1e-4, ..Ranges::default() }).module();
+    let message = narrow.map(|_| ()).unwrap_err().to_string();
+    assert_eq!(message, "the largest deviation is 0.0001; allowed is 0.001 to 65504");
     let fast = scene("dynamic")?.colors(Colors::Dynamic).tier(Tier::ClosedForm(Kernel::Fast)).module();
     assert!(matches!(fast, Err(Error::Conflict(_))));
     Ok(())

@@ -78,11 +78,7 @@ impl MomentMipmap {
         // Written so that NaN is refused.
         if let Some(at) = values.iter().position(|value| !(value.abs() <= LARGEST)) {
             let what = format!("the image's value at ({}, {})", at % wide, at / wide);
-            return Err(Error::Value {
-                what,
-                value: values[at].into(),
-                allowed: format!("-{LARGEST:e} to {LARGEST:e}"),
-            });
+            return Err(Error::value(what, values[at], format!("-{LARGEST:e} to {LARGEST:e}")));
         }
         let least = values.iter().copied().fold(f32::INFINITY, f32::min);
         let most = values.iter().copied().fold(f32::NEG_INFINITY, f32::max);
@@ -141,7 +137,7 @@ impl MomentMipmap {
         let largest = self.values.0.abs().max(self.values.1.abs());
         if halves && largest > half::f16::MAX.to_f32() {
             let what = format!("the largest value of the image for `{name}`");
-            return Err(Error::Value { what, value: largest.into(), allowed: format!("up to {}", half::f16::MAX) });
+            return Err(Error::value(what, largest, format!("up to {}", half::f16::MAX)));
         }
         let error = |value: &f32| (half::f16::from_f32(*value).to_f32() - value).abs();
         let stored = self.levels.iter().flat_map(|level| &level.texels);

@@ -84,9 +84,7 @@ impl Moments {
     /// [`Error::Value`] where the pixel's filter has a deviation that is negative, no number or beyond 16 pixels, or a
     /// covariance that is not positive semi-definite.
     pub(crate) fn check(&self) -> Result<(), Error> {
-        let refuse = |what: &str, value: f32, allowed: String| {
-            Err(Error::Value { what: what.to_owned(), value: value.into(), allowed })
-        };
+        let refuse = |what: &str, value: f32, allowed: String| Err(Error::value(what, value, allowed));
         match self.pixel {
             Pixel::Round(deviation) if !(0.0..=WIDEST).contains(&deviation) => {
                 refuse("the pixel's deviation", deviation, format!("0 to {WIDEST} pixels"))

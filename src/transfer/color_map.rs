@@ -70,7 +70,7 @@ impl ColorMap {
         for (index, (position, color)) in stops.into_iter().enumerate() {
             let color = four(color)?;
             within(&format!("stop {index}"), position, &[color])?;
-            let refused = |allowed: &str| Err(value(format!("stop {index}'s position"), position, allowed));
+            let refused = |allowed: &str| Err(Error::value(format!("stop {index}'s position"), position, allowed));
             match knots.last_mut() {
                 Some(last) if position < last.position => {
                     return refused(&format!("not below the position before it, {}", last.position))
@@ -136,10 +136,10 @@ impl ColorMap {
     /// As [`Self::gradient`]; `low` below `high`, both finite.
     pub fn sampled<const N: usize>(low: f32, high: f32, texels: &[[f32; N]]) -> Result<Self, Error> {
         if !(low < high && low.is_finite() && high.is_finite()) {
-            return Err(value(
-                "the high end of a sampled map".into(),
+            return Err(Error::value(
+                "the high end of a sampled map",
                 high,
-                &format!("finite and above the low end {low}"),
+                format!("finite and above the low end {low}"),
             ));
         }
         count(texels.len())?;
@@ -166,7 +166,7 @@ impl ColorMap {
         for (index, pair) in knots.windows(2).enumerate() {
             if pair[1].position <= pair[0].position {
                 let allowed = format!("above the position before it, {}", pair[0].position);
-                return Err(value(format!("knot {}'s position", index + 1), pair[1].position, &allowed));
+                return Err(Error::value(format!("knot {}'s position", index + 1), pair[1].position, allowed));
             }
         }
         Ok(Self { knots, channels })
@@ -210,10 +210,10 @@ fn four<const N: usize>(color: [f32; N]) -> Result<[f32; 4], Error> {
 fn within(what: &str, position: f32, colors: &[[f32; 4]]) -> Result<(), Error> {
     let allowed = format!("a number from -{MAX_COLOR} to {MAX_COLOR}");
     if !(position.abs() <= MAX_COLOR) {
-        return Err(value(format!("{what}'s position"), position, &allowed));
+        return Err(Error::value(format!("{what}'s position"), position, allowed));
     }
     match colors.iter().flatten().find(|channel| !(channel.abs() <= MAX_COLOR)) {
-        Some(&channel) => Err(value(format!("a color channel of {what}"), channel, &allowed)),
+        Some(&channel) => Err(Error::value(format!("a color channel of {what}"), channel, allowed)),
         None => Ok(()),
     }
 }
@@ -224,8 +224,4 @@ fn count(count: usize) -> Result<(), Error> {
         return Err(Error::Size { what, count, allowed: format!("1 to {MAX_KNOTS}") });
     }
     Ok(())
-}
-
-fn value(what: String, value: f32, allowed: &str) -> Error {
-    Error::Value { what, value: f64::from(value), allowed: allowed.to_owned() }
 }

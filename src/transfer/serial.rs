@@ -25,8 +25,7 @@ impl TryFrom<Parts> for ColorMap {
         }
         let fourth = parts.knots.iter().flat_map(|knot| [knot.left[3], knot.right[3]]).find(|&fourth| fourth != 0.0);
         if let (3, Some(fourth)) = (parts.channels, fourth) {
-            let what = "the fourth channel of a map with three".into();
-            return Err(Error::Value { what, value: fourth.into(), allowed: "0".into() });
+            return Err(Error::value("the fourth channel of a map with three", fourth, "0"));
         }
         Self::from_knots(parts.knots, parts.channels)
     }
