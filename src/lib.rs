@@ -86,6 +86,7 @@ mod error;
 pub mod filter;
 #[cfg(feature = "gpu")]
 pub mod gpu;
+mod linkage;
 mod module;
 mod name;
 mod probe;

@@ -97,14 +97,16 @@ impl Module {
         shader::link(&[self], text)
     }
 
-    /// The module as a SPIR-V library, version 1.3, with the exports as linkable functions.
+    /// The module as a SPIR-V library, version 1.3: each export is decorated with `LinkageAttributes`, so that a linker
+    /// such as `spirv-link` finds it by its name.
     ///
     /// A Vulkan shader comes from [`Self::link`] instead: it needs an entry point.
     ///
     /// # Errors
     /// What naga's writer refuses.
     pub fn spirv(&self) -> Result<Vec<u32>, Error> {
-        self.linked.spirv()
+        let names: Vec<&str> = self.exports.iter().map(|export| export.name.as_str()).collect();
+        self.linked.spirv_exporting(&names)
     }
 
     /// A text with one entry point that calls every export with arguments from a buffer: to link and hand to a driver

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 
+use crate::linkage;
 use crate::module::Module;
 use crate::Error;
 
@@ -38,14 +39,29 @@ impl Shader {
         (&self.parsed.0, &self.parsed.1)
     }
 
-    /// SPIR-V 1.3, for Vulkan 1.1 and later where the text has entry points.
+    /// SPIR-V 1.3, for Vulkan 1.1 and later where the text has entry points. The same text gives the same words.
+    ///
+    /// As in WebGPU, y points up in the positions that a vertex entry point returns: naga turns them to Vulkan's.
     ///
     /// # Errors
     /// What naga's writer refuses.
     pub fn spirv(&self) -> Result<Vec<u32>, Error> {
+        self.written(naga::back::spv::WriterFlags::empty())
+    }
+
+    /// SPIR-V of a text without entry points, with these functions for a linker.
+    pub(crate) fn spirv_exporting(&self, names: &[&str]) -> Result<Vec<u32>, Error> {
+        let named = self.written(naga::back::spv::WriterFlags::DEBUG)?;
+        Ok(linkage::exported(named, names))
+    }
+
+    /// naga's default flags without those that depend on the build's profile, and others.
+    fn written(&self, others: naga::back::spv::WriterFlags) -> Result<Vec<u32>, Error> {
+        use naga::back::spv;
         let (module, info) = self.parsed();
-        let options = naga::back::spv::Options { lang_version: (1, 3), ..Default::default() };
-        naga::back::spv::write_vec(module, info, &options, None).map_err(|error| backend("SPIR-V", &error))
+        let mut options = spv::Options { lang_version: (1, 3), ..Default::default() };
+        options.flags = options.flags.difference(spv::WriterFlags::DEBUG).union(others);
+        spv::write_vec(module, info, &options, None).map_err(|error| backend("SPIR-V", &error))
     }
 
     /// GLSL of one entry point: `version` 300, 310 or 320 where `es`, else 330 to 460.

@@ -70,6 +70,47 @@ fn spirv_is_valid_linked_and_unlinked() -> Outcome {
     Ok(())
 }
 
+/// A caller of `terrain_texture`, which another library exports.
+const CALLER: &str = r#"
+    OpCapability Shader
+    OpCapability Linkage
+    OpMemoryModel Logical GLSL450
+    OpDecorate %callee LinkageAttributes "terrain_texture" Import
+    OpDecorate %caller LinkageAttributes "caller" Export
+    %float = OpTypeFloat 32
+    %color = OpTypeVector %float 3
+    %kind = OpTypeFunction %color %float %float
+    %callee = OpFunction %color None %kind
+    %a = OpFunctionParameter %float
+    %b = OpFunctionParameter %float
+    OpFunctionEnd
+    %caller = OpFunction %color None %kind
+    %c = OpFunctionParameter %float
+    %d = OpFunctionParameter %float
+    %label = OpLabel
+    %result = OpFunctionCall %color %callee %c %d
+    OpReturnValue %result
+    OpFunctionEnd
+"#;
+
+#[test]
+fn libraries_export_to_a_linker() -> Outcome {
+    let folder = folder("link")?;
+    let path = |name: &str| folder.join(name).to_str().map(str::to_owned).ok_or("the folder is no UTF-8");
+    let [text, caller, library, linked] = ["caller.spvasm", "caller.spv", "library.spv", "linked.spv"].map(path);
+    let (text, caller, library, linked) = (text?, caller?, library?, linked?);
+    fs::write(&text, CALLER)?;
+    accepted("spirv-as", &["--target-env", "spv1.3", "-o", &caller], text.as_ref())?;
+    let Some((_, module, _)) = modules()?.iter().find(|(name, _, _)| *name == "terrain_exact") else {
+        return Err("there is no scene `terrain_exact`".into());
+    };
+    fs::write(&library, words(&module.spirv()?))?;
+    // Every import must find an export.
+    let options = ["--create-library", "--target-env", "spv1.3", "-o", &linked, &caller];
+    accepted("spirv-link", &options, library.as_ref())?;
+    accepted("spirv-val", &["--target-env", "spv1.3"], linked.as_ref())
+}
+
 #[test]
 fn glsl_is_valid_for_webgl_and_desktops() -> Outcome {
     let folder = folder("glsl")?;
@@ -103,7 +144,9 @@ fn hlsl_and_msl_are_written_whole() -> Outcome {
 #[test]
 fn what_a_language_lacks_is_an_error() -> Outcome {
     let (_, _, [fragment, compute]) = &modules()?[0];
-    assert!(fragment.glsl("nobody", 450, false).is_err_and(|error| error.to_string().contains("there is main")));
+    assert!(fragment
+        .glsl("nobody", 450, false)
+        .is_err_and(|error| error.to_string().contains("the shader has `main`")));
     assert!(fragment.glsl("main", 123, false).is_err());
     assert!(compute.glsl("main", 300, true).is_err());
     Ok(())
