@@ -38,7 +38,8 @@ impl Cost {
 impl std::fmt::Display for Cost {
     fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let Self { operations, fetches, table_bytes } = self;
-        write!(formatter, "{operations} operations, {fetches} fetches, {table_bytes} table bytes")
+        let fetch = if *fetches == 1 { "fetch" } else { "fetches" };
+        write!(formatter, "{operations} operations, {fetches} {fetch}, {table_bytes} table bytes")
     }
 }
 

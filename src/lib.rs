@@ -46,7 +46,7 @@
 //!
 //! | [`Tier`] | cost | error |
 //! |---|---|---|
-//! | [`ClosedForm`](Tier::ClosedForm), fast | some 25 operations a stop | 3e-4 and less |
+//! | [`ClosedForm`](Tier::ClosedForm), fast | some 25 operations a stop | 3e-4 for six stops |
 //! | [`ClosedForm`](Tier::ClosedForm), exact | some 30 operations a stop | f32 rounding |
 //! | [`Table`](Tier::Table) | one fetch, 64 KiB | a few thousandths for gradients; not for hard edges |
 //! | [`Paper`](Tier::Paper) | one fetch, 512 KiB | as the paper's, to compare with |
@@ -70,7 +70,7 @@
 //! # Features
 //!
 //! None by default: a dependent then builds little more than naga. `macros`: `include_wgsl!`. `gpu`: compute on wgpu
-//! without ceremony. `image`, `colorgrad`: color maps from those crates. `serde`: scenes and maps to
+//! without ceremony. `image`, `colorgrad`: color maps from those crates. `serde`: scenes, maps and tables to
 //! files. `glsl`, `hlsl`, `msl`: naga's other writers. `naga`: the validated module itself, tied to naga's version.
 //!
 //! # Source

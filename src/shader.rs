@@ -41,7 +41,7 @@ impl Shader {
 
     /// SPIR-V 1.3, for Vulkan 1.1 and later where the text has entry points. The same text gives the same words.
     ///
-    /// As in WebGPU, y points up in the positions that a vertex entry point returns: naga turns them to Vulkan's.
+    /// In the positions that a vertex entry point returns, naga negates y: up in WebGPU, down in Vulkan.
     ///
     /// # Errors
     /// What naga's writer refuses.
@@ -65,6 +65,9 @@ impl Shader {
     }
 
     /// GLSL of one entry point: `version` 300, 310 or 320 where `es`, else 330 to 460.
+    ///
+    /// In the positions that a vertex entry point returns, naga negates y and spreads the depth from [0, 1] to
+    /// [−1, 1]: textures drawn to are then as in WebGPU, a picture drawn straight to the screen is upside down.
     ///
     /// # Errors
     /// An unknown version or entry point; what the language cannot express, such as compute before 310 es.

@@ -28,7 +28,7 @@ impl PiecewiseLinear {
 
 /// The mean of the map over a normal variable: the integral of the map times the density, piece by piece.
 ///
-/// A deviation of 0 gives the map's value. Error below 1e-13 of the largest value.
+/// A deviation of 0 gives the map's value. Error below 1e-12 of the largest value.
 pub fn mean(map: &PiecewiseLinear, mean: f64, deviation: f64) -> [f64; 4] {
     if deviation <= 0.0 {
         return map.value(mean);

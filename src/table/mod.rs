@@ -58,6 +58,7 @@ pub enum Sampling {
 
 /// One mip level.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Level {
     /// Texels a row.
     pub width: u32,
@@ -69,6 +70,7 @@ pub struct Level {
 
 /// A texture to bind to a parameter of an export.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Table {
     /// The parameter's name; a filtered table's sampler is named `NAME_sampler`.
     pub name: String,

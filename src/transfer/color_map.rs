@@ -54,7 +54,8 @@ pub enum Colors {
     /// Unrolled into the text: no binding, the fastest for a handful of stops.
     #[default]
     Constant,
-    /// In a texture: materials that differ only in colors, stops and stop count share one text and one pipeline.
+    /// In a texture: materials that differ only in colors, stops and stop count share one text and one pipeline. Name
+    /// the tier then: the one that an accuracy chooses, and so the text, may differ from map to map.
     Dynamic,
 }
 
