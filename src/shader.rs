@@ -1,5 +1,6 @@
 //! Validated text, and the other languages that naga writes from it.
 
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
@@ -147,7 +148,25 @@ pub fn link(modules: &[&Module], text: &str) -> Result<Shader, Error> {
     }
     let path = "shader.wgsl";
     let linked = prefilter_wgsl::link(&whole).map_err(|collision| Error::Collision { path: path.into(), collision })?;
+    modules.iter().try_for_each(|module| hides_nothing(path, text, module))?;
     Shader::new(path, linked)
+}
+
+/// Refuses a text that declares a built-in which a module uses: the module would call the text's.
+fn hides_nothing(path: &str, text: &str, module: &Module) -> Result<(), Error> {
+    let glue = prefilter_wgsl::declarations(&module.glue);
+    let used: BTreeSet<&str> = glue.iter().flat_map(|declaration| declaration.free()).collect();
+    let built_in = |name: &str| used.contains(name) && !glue.iter().any(|declaration| declaration.name == name);
+    match prefilter_wgsl::declarations(text).into_iter().find(|declaration| built_in(declaration.name)) {
+        None => Ok(()),
+        Some(prefilter_wgsl::Declaration { name, line, column, .. }) => {
+            let user = &module.name;
+            let hidden = "is declared here and hides the built-in that the module";
+            Err(Error::Shader {
+                message: format!("{path}:{line}:{column}: `{name}` {hidden} `{user}` uses; rename yours"),
+            })
+        }
+    }
 }
 
 /// naga's message with the nearest name of the text or the shelf below an unknown one.

@@ -144,6 +144,9 @@ fn the_users_text_comes_first_and_keeps_its_lines() -> Outcome {
     assert!(mistyped.starts_with("shader.wgsl:"), "{mistyped}");
     let collision = refused("// mine\nfn normal_cdf(x: f32) -> f32 { return x; }\n");
     assert!(collision.contains("shader.wgsl:2:4: ") && collision.contains("math/normal.wgsl:"), "{collision}");
+    let hidden = refused("// mine\nfn vec3f(x: f32) -> f32 { return x; }\n");
+    assert!(hidden.contains("shader.wgsl:2:4: `vec3f` is declared here and hides"), "{hidden}");
+    module.link("fn m() -> f32 { return 1.0; }\nfn c() {}\n")?; // names that the module declares for itself
     let again = refused("fn lichen_texture() {}\n");
     assert!(again.contains("shader.wgsl:1:4") && again.contains("lichen_texture"), "{again}");
     Ok(())

@@ -67,9 +67,8 @@ fn shelf() -> &'static Shelf {
             entries.iter().enumerate().map(|(number, entry)| (entry.declaration.name, number)).collect();
         for entry in &mut entries {
             let mentions: BTreeSet<&str> = scan::mentions(entry.declaration.text).collect();
-            let locals = scan::locals(entry.declaration.text);
             entry.needs = mentions.iter().filter_map(|name| index.get(name).copied()).collect();
-            entry.built_ins = &mentions - &locals;
+            entry.built_ins = entry.declaration.free();
         }
         Shelf { entries, index }
     })

@@ -41,7 +41,7 @@ pub struct Declaration<'a> {
     pub signature: String,
 }
 
-impl Declaration<'_> {
+impl<'a> Declaration<'a> {
     /// The `///` lines above the declaration without their slashes.
     pub fn documentation(&self) -> String {
         let lines = self.text.lines().map_while(|line| line.trim_start().strip_prefix("///"));
@@ -51,6 +51,12 @@ impl Declaration<'_> {
     /// The names that the declaration mentions, its own included, in order and with repetitions.
     pub fn mentions(&self) -> impl Iterator<Item = &str> {
         mentions(self.text)
+    }
+
+    /// The names that the declaration mentions and does not declare for itself: its own, those of other declarations,
+    /// built-ins and keywords.
+    pub fn free(&self) -> BTreeSet<&'a str> {
+        &mentions(self.text).collect::<BTreeSet<_>>() - &locals(self.text)
     }
 }
 
@@ -107,7 +113,7 @@ pub fn mentions(text: &str) -> impl Iterator<Item = &str> {
 }
 
 /// The names that a declaration declares for itself: parameters, members, and `let`, `var` and `const` in a body.
-pub fn locals(text: &str) -> BTreeSet<&str> {
+fn locals(text: &str) -> BTreeSet<&str> {
     let tokens: Vec<Token> = tokens(text).into_iter().filter(|token| token.kind != TokenKind::Comment).collect();
     let mut locals = BTreeSet::new();
     for pair in tokens.windows(2) {
