@@ -50,8 +50,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         (900.0, [0.96, 0.97, 0.98]), // the same position twice: a hard edge, the snow line
     ])?;
     let driver = Driver::Moments(Moments { taps: Taps::Eight, ..Moments::default() });
-    let ranges = prefilter::Ranges { mean: moments.range(), deviation: moments.largest_deviation() };
-    let module = Scene::new("terrain").texture(map).ranges(ranges).driver(driver).module()?;
+    let module = Scene::new("terrain").texture(map).ranges(moments.ranges()).driver(driver).module()?;
     println!("{}", module.explain());
 
     // The module behind the host's text, on the device.

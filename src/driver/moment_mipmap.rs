@@ -1,5 +1,6 @@
 //! Pyramids of mean and deviation of an image.
 
+use crate::accuracy::Ranges;
 use crate::table::{Format, Level, Sampling, Table};
 use crate::Error;
 
@@ -113,6 +114,28 @@ impl MomentMipmap {
     /// The largest deviation that a footprint can have: half the range.
     pub fn largest_deviation(&self) -> f32 {
         0.5 * (self.values.1 - self.values.0)
+    }
+
+    /// The ranges of a scene that this image drives: its means and deviations, as wide at least as a scene accepts.
+    ///
+    /// ```
+    /// use prefilter::{ColorMap, Edge, MomentMipmap, Scene};
+    /// let moments = MomentMipmap::new(2, 1, &[230.0, 870.0], Edge::Clamp)?;
+    /// let map = ColorMap::gradient([(200.0, [0.1, 0.3, 0.1]), (900.0, [0.9, 0.9, 0.9])])?;
+    /// let module = Scene::new("hills").texture(map).ranges(moments.ranges()).module()?;
+    /// assert!(module.explain().contains("means 230 to 870, deviations to 320"));
+    /// # Ok::<(), prefilter::Error>(())
+    /// ```
+    pub fn ranges(&self) -> Ranges {
+        let (mut low, mut high) = self.values;
+        // Twice what is asked for, and two numbers where numbers are farther apart; towards 0, within the limits.
+        let least = (2e-3f32).max(high.abs() * 2.4e-7);
+        if high - low < least && high > 0.0 {
+            low = high - least;
+        } else if high - low < least {
+            high = low + least;
+        }
+        Ranges { mean: (low, high), deviation: self.largest_deviation().max(1e-3) }
     }
 
     /// Mean and deviation of the whole image.

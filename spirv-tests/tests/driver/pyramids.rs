@@ -2,7 +2,7 @@
 
 use prefilter::reference::moments::{Beyond, Image};
 use prefilter::table::{Format, Sampling};
-use prefilter::{Edge, Error, MomentMipmap};
+use prefilter::{ColorMap, Edge, Error, MomentMipmap, Scene, Tier};
 
 use crate::{photograph, random};
 
@@ -24,6 +24,17 @@ fn covered(image: &Image, moments: &[[f64; 2]], size: [usize; 2], texel: [usize;
     }
     let mean = sum / area;
     [mean, (squares / area - mean * mean).max(0.0).sqrt()]
+}
+
+#[test]
+fn scenes_accept_the_ranges_of_every_image() {
+    let map = ColorMap::gradient([(0.0, [0.1, 0.2, 0.3]), (1.0, [0.9, 0.8, 0.7])]).unwrap();
+    for (low, high) in [(0.0, 0.0), (0.7, 0.7), (-3.0, 8.5), (65504.0, 65504.0), (-65504.0, -65504.0), (0.5, 0.5005)] {
+        let ranges = MomentMipmap::new(2, 1, &[low, high], Edge::Clamp).unwrap().ranges();
+        assert!(ranges.mean.0 <= low && high <= ranges.mean.1 && 0.5 * (high - low) <= ranges.deviation);
+        let scene = Scene::new("driven").texture(map.clone()).tier(Tier::Naive).ranges(ranges);
+        assert!(scene.module().is_ok(), "{low} {high}: {ranges:?}");
+    }
 }
 
 #[test]
