@@ -61,9 +61,9 @@ impl Taps {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Pixel {
-    /// The same deviation along x and y, in pixels: box 0.289, Mitchell 0.333, tent 0.408, Gaussian resolve 0.5.
+    /// The same deviation along x and y, 0 to 16 pixels: box 0.289, Mitchell 0.333, tent 0.408, Gaussian resolve 0.5.
     Round(f32),
-    /// The covariance xx, xy, yy in pixels².
+    /// The covariance xx, xy, yy in pixels²: positive semi-definite, variances up to 256.
     Covariance([f32; 3]),
 }
 

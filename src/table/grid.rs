@@ -10,7 +10,7 @@ pub struct Axis {
     pub low: f64,
     /// The value at the high end.
     pub high: f64,
-    /// Nodes.
+    /// Nodes: two or more for a range.
     pub count: usize,
     /// How the nodes are spread.
     pub spacing: Spacing,
@@ -33,7 +33,7 @@ impl Axis {
     ///
     /// With 512 nodes over −0.25 to 1.25 the step is 1/300, and every hundredth is a node.
     pub fn round(low: f64, high: f64, count: usize) -> Self {
-        let steps = (count - 1) as f64;
+        let steps = count.saturating_sub(1) as f64;
         let finest = (high - low) / steps;
         let unit = 10f64.powf((2.0 * finest).log10().ceil());
         let covered = |step: f64| (high / step).ceil() - (low / step).floor() <= steps;
@@ -49,7 +49,7 @@ impl Axis {
     /// smoothed yet: of the steps h up to an eighth above the finest, and of the places of the first node, the pair
     /// with the smallest largest error. Each bend is a position and a slope change.
     pub fn fitted(low: f64, high: f64, count: usize, bends: &[(f64, f64)]) -> Self {
-        let steps = (count - 1) as f64;
+        let steps = count.saturating_sub(1) as f64;
         let finest = (high - low) / steps;
         let error = |start: f64, step: f64| {
             let miss = |&(at, change): &(f64, f64)| {
@@ -81,7 +81,7 @@ impl Axis {
     /// The value at a node number; fractions lie between nodes as bilinear filtering sees them.
     pub fn value(&self, number: f64) -> f64 {
         let span = self.high - self.low;
-        let part = number / (self.count - 1).max(1) as f64;
+        let part = number / self.count.saturating_sub(1).max(1) as f64;
         match self.spacing {
             Spacing::Linear => self.low + span * part,
             Spacing::CubeRoot => self.low + span * part * part * part,
@@ -92,7 +92,7 @@ impl Axis {
     /// The node number of a value: the inverse of [`Self::value`], clamped to the nodes as a clamping sampler does.
     pub fn number(&self, value: f64) -> f64 {
         let part = (value - self.low) / (self.high - self.low);
-        let last = (self.count - 1) as f64;
+        let last = self.count.saturating_sub(1) as f64;
         let number = match self.spacing {
             Spacing::Linear => part * last,
             Spacing::CubeRoot => part.max(0.0).cbrt() * last,
