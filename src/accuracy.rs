@@ -1,6 +1,10 @@
 //! How close a filter must be, over which values, and what is known of how close it is.
 
+use crate::transfer::color_map::ColorMap;
 use crate::Error;
+
+/// The largest mean and deviation, as of positions.
+const LARGEST: f32 = crate::transfer::color_map::MAX_COLOR;
 
 /// The values over which a scene's bounds hold, in the unit of the color map's positions.
 ///
@@ -10,9 +14,9 @@ use crate::Error;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Ranges {
-    /// The means that occur. Default: −0.25 to 1.25, a unit range with a quarter of padding on either side.
+    /// The means that occur. Default: −0.25 to 1.25, those of a map over [0, 1].
     pub mean: (f32, f32),
-    /// The largest deviation that occurs. Default: 0.5, the largest of any value in [0, 1].
+    /// The largest deviation that occurs; larger ones count as this. Default: 0.5, the largest of any value in [0, 1].
     pub deviation: f32,
 }
 
@@ -23,9 +27,19 @@ impl Default for Ranges {
 }
 
 impl Ranges {
+    /// The ranges of a map: the unit range and the map's positions, with a quarter of padding on either side, and the
+    /// largest deviation of any value between.
+    pub fn of(map: &ColorMap) -> Self {
+        let positions = || map.knots().iter().map(|knot| knot.position);
+        let (low, high) = (positions().fold(0.0, f32::min), positions().fold(1.0, f32::max));
+        let padding = 0.25 * (high - low);
+        let mean = ((low - padding).max(-LARGEST), (high + padding).min(LARGEST));
+        Self { mean, deviation: (0.5 * (high - low)).min(LARGEST) }
+    }
+
     pub(crate) fn check(&self) -> Result<(), Error> {
         let (low, high) = self.mean;
-        let fine = |value: f32| value.abs() <= 65504.0;
+        let fine = |value: f32| value.abs() <= LARGEST;
         for (what, value) in [("the low end of the means", low), ("the high end of the means", high)] {
             if !fine(value) {
                 return Err(Error::value(what, value, "a number from -65504 to 65504"));

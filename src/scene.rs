@@ -31,7 +31,7 @@ pub struct Scene {
     colors: Colors,
     tier: Option<Tier>,
     accuracy: Accuracy,
-    ranges: Ranges,
+    ranges: Option<Ranges>,
     driver: Option<Driver>,
 }
 
@@ -56,7 +56,7 @@ impl Scene {
             colors: Colors::default(),
             tier: None,
             accuracy: Accuracy::default(),
-            ranges: Ranges::default(),
+            ranges: None,
             driver: None,
         }
     }
@@ -85,10 +85,11 @@ impl Scene {
         Self { accuracy, ..self }
     }
 
-    /// The values over which bounds hold and tables reach.
+    /// The values over which bounds hold and tables reach; larger deviations count as the largest. Default:
+    /// [`Ranges::of`] the map, which for a map over [0, 1] is [`Ranges::default`].
     #[must_use]
     pub fn ranges(self, ranges: Ranges) -> Self {
-        Self { ranges, ..self }
+        Self { ranges: Some(ranges), ..self }
     }
 
     /// Where mean and deviation come from. Exports `NAME_color(position, dpdx, dpdy, …)` besides `NAME_texture`.
@@ -111,9 +112,9 @@ impl Scene {
         self.texture.as_ref()
     }
 
-    /// The ranges that bounds hold over.
+    /// The ranges that bounds hold over: those given, or else those of the map.
     pub fn chosen_ranges(&self) -> Ranges {
-        self.ranges
+        self.ranges.unwrap_or_else(|| self.texture.as_ref().map_or(Ranges::default(), Ranges::of))
     }
 
     /// Generates, links and validates the module.
@@ -127,7 +128,7 @@ impl Scene {
     /// not go with the colors, or no tier that keeps the accuracy.
     pub fn module(&self) -> Result<Module, Error> {
         name::check(&self.name)?;
-        self.ranges.check()?;
+        self.chosen_ranges().check()?;
         self.accuracy.check()?;
         self.driver.map_or(Ok(()), |driver| driver.check())?;
         let Some(map) = &self.texture else {
@@ -175,7 +176,7 @@ impl Scene {
     }
 
     fn candidate(&self, map: &ColorMap, tier: Tier) -> Result<Candidate, Error> {
-        let filter = filter(map, self.colors, tier, self.ranges)?;
+        let filter = filter(map, self.colors, tier, self.chosen_ranges())?;
         let glue = self.glue(map, tier, &filter);
         let path = format!("{}.wgsl", self.name);
         let linked = prefilter_wgsl::link(&glue)
@@ -191,7 +192,7 @@ impl Scene {
     }
 
     fn glue(&self, map: &ColorMap, tier: Tier, filter: &Filter) -> String {
-        let Self { name, ranges, .. } = self;
+        let (name, ranges) = (&self.name, self.chosen_ranges());
         let mut glue =
             format!("/// Mean color of `{name}` over a pixel that covers a normal distribution, by {tier}.\n///\n");
         let (low, high) = ranges.mean;
@@ -208,11 +209,11 @@ impl Scene {
     }
 
     fn explain(&self, chosen: &Candidate, passed: &[Candidate]) -> String {
-        let (low, high) = self.ranges.mean;
+        let Ranges { mean: (low, high), deviation } = self.chosen_ranges();
         let mut text = format!("{}: texture (C0) by {}\n", self.name, chosen.tier);
         let _ = writeln!(text, "  error   {}", described(&chosen.filter));
         let _ = writeln!(text, "  cost    {} a call", chosen.cost);
-        let _ = writeln!(text, "  ranges  means {low} to {high}, deviations to {}", self.ranges.deviation);
+        let _ = writeln!(text, "  ranges  means {low} to {high}, deviations to {deviation}");
         let why = match self.tier {
             Some(_) => "the scene names this tier".to_owned(),
             None => format!("the lightest within {:.1e}", self.accuracy.max_filter_error),

@@ -79,6 +79,22 @@ fn the_accuracy_chooses_the_lightest_tier_within_it() -> Outcome {
 }
 
 #[test]
+fn the_ranges_are_those_of_the_map_unless_others_are_given() -> Outcome {
+    let ranges = |low: f32, high: f32| {
+        let map = ColorMap::gradient([(low, [0.1, 0.2, 0.3]), (high, [0.9, 0.8, 0.7])])?;
+        let scene = Scene::new("ranged").texture(map).tier(Tier::Naive);
+        scene.module()?; // accepts them
+        Ok::<_, Error>(scene.chosen_ranges())
+    };
+    assert_eq!(ranges(0.0, 1.0)?, Ranges::default());
+    assert_eq!(ranges(0.3, 0.301)?, Ranges::default());
+    assert_eq!(ranges(200.0, 900.0)?, Ranges { mean: (-225.0, 1125.0), deviation: 450.0 });
+    assert_eq!(ranges(-3.0, -2.0)?, Ranges { mean: (-4.0, 2.0), deviation: 2.0 });
+    assert_eq!(ranges(-65504.0, 65504.0)?, Ranges { mean: (-65504.0, 65504.0), deviation: 65504.0 });
+    Ok(())
+}
+
+#[test]
 fn scenes_that_cannot_be_are_refused() -> Outcome {
     let scene = |name: &str| Ok::<_, Error>(Scene::new(name).texture(gradient()?));
     // Reserved in WGSL, GLSL, HLSL and MSL in turn; the rest are no identifiers or not allowed in all four.

@@ -55,7 +55,7 @@ pub enum Colors {
     #[default]
     Constant,
     /// In a texture: materials that differ only in colors, stops and stop count share one text and one pipeline. Name
-    /// the tier then: the one that an accuracy chooses, and so the text, may differ from map to map.
+    /// the tier then, and the ranges where maps leave [0, 1]: what is chosen, and so the text, differs from map to map.
     Dynamic,
 }
 
