@@ -1,8 +1,8 @@
 //! What the documentation of a shelf function promises: `Source:`, `Domain:` and `Error:`.
 //!
 //! `Domain:` names every parameter that is not a texture or a sampler, members of structures one by one
-//! (`cell.fraction in [0, 1]`), each with one of the ranges of [`Domain`]. `Error:` is a number with `absolute` or
-//! `relative`, or `exact`; a reason may follow behind a semicolon.
+//! (`cell.fraction in [0, 1]`), each with one of the ranges of [`Domain`]. `Error:` is a number with `absolute`,
+//! `relative` or `of 1 + the result`, or `exact`; a reason may follow behind a semicolon.
 
 use crate::kernel::Function;
 use crate::signature::{Leaf, Shape};
@@ -31,6 +31,9 @@ pub enum Promise {
     Absolute(f64),
     /// At most this share of the expected result's largest component, in every component.
     Relative(f64),
+    /// `of 1 + the result`: at most this share of one more than the expected result's largest component, in every
+    /// component; absolute for small results and relative for large ones.
+    Mixed(f64),
     /// The reference itself.
     Exact,
 }
@@ -183,7 +186,8 @@ fn place(name: &str, shape: &Shape, named: &mut Vec<(String, Domain)>, ranges: &
 
 fn promise(text: &str) -> Result<Promise, String> {
     let rule = text.split(';').next().unwrap_or_default().trim().trim_end_matches('.');
-    let unknown = || format!("says `{rule}`; known are `NUMBER absolute`, `NUMBER relative` and `exact`");
+    let known = "known are `NUMBER absolute`, `NUMBER relative`, `NUMBER of 1 + the result` and `exact`";
+    let unknown = || format!("says `{rule}`; {known}");
     if rule == "exact" {
         return Ok(Promise::Exact);
     }
@@ -195,6 +199,7 @@ fn promise(text: &str) -> Result<Promise, String> {
     match kind {
         "absolute" => Ok(Promise::Absolute(bound)),
         "relative" => Ok(Promise::Relative(bound)),
+        "of 1 + the result" => Ok(Promise::Mixed(bound)),
         _ => Err(unknown()),
     }
 }

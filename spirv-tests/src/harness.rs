@@ -93,6 +93,7 @@ impl fmt::Display for Judgement {
         let promise = match promise {
             Promise::Absolute(bound) => format!("{bound:e} absolute"),
             Promise::Relative(bound) => format!("{bound:e} relative"),
+            Promise::Mixed(bound) => format!("{bound:e} of 1 + the result"),
             Promise::Exact => "exact".to_owned(),
         };
         write!(formatter, "{name:<28} {:.1e} of {promise:<18} in {cases} + {outside} points, ", worst.error)?;
@@ -149,7 +150,9 @@ fn merged(before: Judgement, next: Judgement) -> Judgement {
 /// Whether the promise is much wider than what was measured.
 fn is_slack(judgement: &Judgement) -> bool {
     match judgement.promise {
-        Promise::Absolute(bound) | Promise::Relative(bound) => bound > SLACK * judgement.worst.error,
+        Promise::Absolute(bound) | Promise::Relative(bound) | Promise::Mixed(bound) => {
+            bound > SLACK * judgement.worst.error
+        }
         Promise::Exact => false,
     }
 }
@@ -184,7 +187,7 @@ pub fn compare(
     let inputs = function.signature.inputs().into_iter().map(|leaf| leaf.path).collect();
     let judgement = Judgement { name: function.name.clone(), inputs, promise, cases, outside: 0, worst };
     let kept = match promise {
-        Promise::Absolute(bound) | Promise::Relative(bound) => judgement.worst.error <= bound,
+        Promise::Absolute(bound) | Promise::Relative(bound) | Promise::Mixed(bound) => judgement.worst.error <= bound,
         Promise::Exact => judgement.worst.error == 0.0,
     };
     if kept {
@@ -214,8 +217,10 @@ fn error(promise: Promise, got: &[f64], expected: &[f64]) -> f64 {
     if got.len() != expected.len() {
         return f64::INFINITY;
     }
+    let largest = expected.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
     let scale = match promise {
-        Promise::Relative(_) => expected.iter().fold(f64::from(f32::MIN_POSITIVE), |most, value| most.max(value.abs())),
+        Promise::Relative(_) => largest.max(f64::from(f32::MIN_POSITIVE)),
+        Promise::Mixed(_) => 1.0 + largest,
         Promise::Absolute(_) | Promise::Exact => 1.0,
     };
     got.iter().zip(expected).fold(0.0, |most: f64, (got, expected)| {

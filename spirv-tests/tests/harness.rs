@@ -51,6 +51,19 @@ fn a_wrong_shader_fails_at_its_worst_point() {
 }
 
 #[test]
+fn one_and_the_result_bound_small_results_absolutely_and_large_ones_relatively() {
+    let error = "Error: 1e-3 of 1 + the result; for a reason.";
+    let judged = |body: &str| judged(&double("Domain: x log in [1e-6, 1e6].", error, body), row());
+    assert_eq!(judged("return 2.0 * x + 9e-4 * (1.0 + 2.0 * x);").unwrap().promise, Promise::Mixed(1e-3));
+    let Err(Failure::Broken(judgement)) = judged("return 2.0 * x + 1.1e-3;") else { panic!("it passed") };
+    assert!(judgement.worst.point[0] < 0.05, "{judgement}");
+    let Err(Failure::Broken(judgement)) = judged("return 2.0022 * x;") else { panic!("it passed") };
+    assert!(judgement.worst.point[0] > 5.0, "{judgement}");
+    let pinned = Device::new().unwrap().label().contains("llvmpipe");
+    assert_eq!(matches!(judged("return 2.0 * x + 1e-4;"), Err(Failure::Slack(_))), pinned);
+}
+
+#[test]
 fn a_wrong_edge_fails() {
     // Only the edge itself is wrong, which no fill meets.
     let wrong = double("Domain: x in [-3, 5].", "Error: exact.", "return select(2.0 * x, 0.0, x == 5.0);");
@@ -157,6 +170,7 @@ fn a_broken_contract_names_the_function_and_the_clause() {
         ("Domain: x in [0, 1].", "Error: small.", "`double`: `Error:` says `small`; known are"),
         ("Domain: x in [0, 1].", "Error: 0 absolute.", "promises 0, which is no positive number"),
         ("Domain: x in [0, 1].", "Error: 1e-3 of it.", "known are `NUMBER absolute`"),
+        ("Domain: x in [0, 1].", "Error: 0 of 1 + the result.", "promises 0, which is no positive number"),
     ] {
         let refused = refused(domain, error);
         assert!(refused.contains("`double`") && refused.contains(message), "{refused}");

@@ -6,5 +6,7 @@ pub mod footprint;
 pub mod moments;
 pub mod normal;
 pub mod quadrature;
+pub mod smith;
 pub mod taps;
 pub mod texture;
+pub mod visibility;

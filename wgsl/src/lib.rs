@@ -40,6 +40,8 @@ pub const FILES: &[File] = shelf![
     "math/normal.wgsl",
     "footprint/footprint.wgsl",
     "footprint/taps.wgsl",
+    "visibility/smith.wgsl",
+    "visibility/visibility.wgsl",
     "driver/moments.wgsl",
     "filter/texture.wgsl",
 ];

@@ -7,8 +7,10 @@ mod footprint;
 mod grid;
 mod moments;
 mod normal;
+mod smith;
 mod taps;
 mod texture;
+mod visibility;
 
 use std::fmt;
 
@@ -126,7 +128,16 @@ impl Row {
 
 /// All rows.
 pub fn all() -> Vec<Row> {
-    let rooms = [footprint::rows(), grid::rows(), moments::rows(), normal::rows(), taps::rows(), texture::rows()];
+    let rooms = [
+        footprint::rows(),
+        grid::rows(),
+        moments::rows(),
+        normal::rows(),
+        smith::rows(),
+        taps::rows(),
+        texture::rows(),
+        visibility::rows(),
+    ];
     rooms.into_iter().flatten().collect()
 }
 
