@@ -27,9 +27,9 @@ fn smith_ratio(rise: f32, variance: f32) -> f32 {
 
 /// The visibility parameter a of a direction, from 0 (at or below the horizon) to 10 (nothing is hidden any more).
 ///
-/// Covariances beyond 1e30 count as 1e30; the mean slope is finite. The difference ω.z − s̄·ω.xy rounds: near a
-/// tilted horizon only the absolute error of a is small. For a correlation ρ the relative error of a is up to
-/// 1.5e-7 / (1 − |ρ|), which is also what storing C in f32 costs.
+/// Covariances beyond 1e30 count as 1e30; the mean slope is finite. |dΛ| / (1 + Λ) was measured as up to
+/// 1.5e-7 / (1 − |ρ|) for slopes of the correlation ρ, half of which is what f32 covariances cost whoever reads them.
+/// Over a tilted surface it is up to 1e-6 + 1e-7 / r, r being ω.z − s̄·ω.xy, a difference that rounds.
 ///
 /// Source: Heitz et al. 2014, "Filtering Non-Linear Transfer Functions on Surfaces", equation 2, its argument of erfc.
 /// Domain: direction unit, covariance psd(0.1, 2, 0.9), mean_slope in [-1, 1].

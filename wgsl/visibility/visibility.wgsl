@@ -26,6 +26,7 @@ fn visibility_masking(lambda: f32) -> f32 {
 fn visibility_shadowing(view_lambda: f32, light_lambda: f32) -> f32 {
     let seen = 1.0 + max(view_lambda, 0.0);
     let both = seen + max(light_lambda, 0.0);
+    // A quotient of equal numbers may round to more than 1: division is off by up to 2.5 units in the last place.
     return select(min(seen / both, 1.0), 0.0, both >= smith_horizon);
 }
 
