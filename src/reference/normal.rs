@@ -15,6 +15,13 @@ pub fn cumulative(x: f64) -> f64 {
     0.5 * libm::erfc(-x * std::f64::consts::FRAC_1_SQRT_2)
 }
 
+/// The surprisal −log₂ Φ(x) of finding a standard normal variable below `x`, in bits. Infinite below −38.
+pub fn surprisal(x: f64) -> f64 {
+    // Next to 1 the logarithm takes the probability above, which keeps its digits.
+    let bits = if x > 0.0 { libm::log1p(-cumulative(-x)) } else { libm::log(cumulative(x)) };
+    -bits * std::f64::consts::LOG2_E
+}
+
 /// The mean excess E[max(z − threshold, 0)] of a standard normal variable, by quadrature of its definition.
 pub fn excess(threshold: f64) -> f64 {
     let from = threshold.max(-REACH);

@@ -40,6 +40,7 @@ pub const FILES: &[File] = shelf![
     "math/normal.wgsl",
     "footprint/footprint.wgsl",
     "footprint/taps.wgsl",
+    "visibility/heights.wgsl",
     "visibility/smith.wgsl",
     "visibility/visibility.wgsl",
     "driver/moments.wgsl",

@@ -5,6 +5,7 @@
 
 mod footprint;
 mod grid;
+mod heights;
 mod moments;
 mod normal;
 mod smith;
@@ -131,6 +132,7 @@ pub fn all() -> Vec<Row> {
     let rooms = [
         footprint::rows(),
         grid::rows(),
+        heights::rows(),
         moments::rows(),
         normal::rows(),
         smith::rows(),

@@ -1,6 +1,6 @@
 //! The standard normal distribution.
 
-use prefilter::reference::normal::{cumulative, excess};
+use prefilter::reference::normal::{cumulative, excess, surprisal};
 
 use super::Row;
 
@@ -11,5 +11,6 @@ pub(super) fn rows() -> Vec<Row> {
         Row::new("normal_cdf_fast", |x| [cumulative(x[0])]).at(ends),
         Row::new("normal_excess", |x| [excess(x[0])]).at([[8.0]]),
         Row::new("normal_excess_fast", |x| [excess(x[0])]).at([[8.0]]),
+        Row::new("normal_surprisal", |x| [surprisal(x[0])]).at([[0.0], [0.5], [-0.5], [6.0]]),
     ]
 }

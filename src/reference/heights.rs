@@ -1,0 +1,153 @@
+//! The distribution of visible heights, D_h(h) = (1 + Λ) Φ(h)^Λ φ(h) for standard normal heights, where Λ is the sum of
+//! Smith's Λ of the view and of the light: equation 15 of Heitz et al. 2014.
+
+use super::normal::{cumulative as normal_cumulative, density as normal_density, surprisal, REACH};
+use super::quadrature::integrate;
+
+/// Panels over the range of visible heights.
+const PANELS: f64 = 16.0;
+
+/// The share of the higher one of the two normal distributions of [`nearest_pair`].
+pub const HIGH_SHARE: f64 = 3.0 / 8.0;
+
+/// The density D_h of visible heights.
+pub fn density(height: f64, lambda: f64) -> f64 {
+    (1.0 + lambda) * (-lambda * surprisal(height) * std::f64::consts::LN_2).exp() * normal_density(height)
+}
+
+/// The probability that a visible height is below `height`: the integral of D_h, which is Φ^(1+Λ).
+pub fn cumulative(height: f64, lambda: f64) -> f64 {
+    (-(1.0 + lambda) * surprisal(height) * std::f64::consts::LN_2).exp()
+}
+
+/// Where visible heights lie, but for 1e-17 of them on each side.
+pub fn range(lambda: f64) -> [f64; 2] {
+    let bits = [57.0, 1.5e-17].map(|bits| bits / (1.0 + lambda));
+    bits.map(|bits| {
+        let (mut low, mut high) = (-REACH, REACH);
+        for _ in 0..40 {
+            let middle = 0.5 * (low + high);
+            if surprisal(middle) > bits {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        0.5 * (low + high)
+    })
+}
+
+/// The mean of a function over the visible heights, by quadrature of the function times the density.
+pub fn mean<const N: usize>(lambda: f64, function: impl Fn(f64) -> [f64; N]) -> [f64; N] {
+    let [from, to] = range(lambda);
+    integrate(from, to, (to - from) / PANELS, |height| {
+        let density = density(height, lambda);
+        function(height).map(|value| density * value)
+    })
+}
+
+/// Mean, deviation, skewness and excess kurtosis of the visible heights, by quadrature of the density. Error below
+/// 1e-12 for Λ in [0, 1e6].
+pub fn moments(lambda: f64) -> [f64; 4] {
+    let [mean_height] = mean(lambda, |height| [height]);
+    let [second, third, fourth] = mean(lambda, |height| {
+        let z = height - mean_height;
+        [z * z, z * z * z, z * z * z * z]
+    });
+    standardized(mean_height, second, third, fourth)
+}
+
+/// The same by parts: from the integrals of the cumulative function alone.
+pub fn moments_by_parts(lambda: f64) -> [f64; 4] {
+    let [from, to] = range(lambda);
+    // E[(h − c)^k] = (to − c)^k − ∫ k (h − c)^(k−1) F(h) dh.
+    let about = |center: f64| -> [f64; 4] {
+        let areas: [f64; 4] = integrate(from, to, (to - from) / PANELS, |height| {
+            let (z, below) = (height - center, cumulative(height, lambda));
+            [1, 2, 3, 4].map(|power| f64::from(power) * z.powi(power - 1) * below)
+        });
+        std::array::from_fn(|index| (to - center).powi(index as i32 + 1) - areas[index])
+    };
+    let mean_height = about(0.0)[0];
+    let [_, second, third, fourth] = about(mean_height);
+    standardized(mean_height, second, third, fourth)
+}
+
+fn standardized(mean: f64, second: f64, third: f64, fourth: f64) -> [f64; 4] {
+    let deviation = second.sqrt();
+    [mean, deviation, third / (second * deviation), fourth / (second * second) - 3.0]
+}
+
+/// The probability that a visible height plus independent normal noise of mean 0 is below `height`: the convolution of
+/// Φ^(1+Λ) with the noise's density.
+pub fn perturbed_cumulative(height: f64, lambda: f64, noise_deviation: f64) -> f64 {
+    let [below] = integrate(-9.0, 9.0, 0.5, |z| [normal_density(z) * cumulative(height - noise_deviation * z, lambda)]);
+    below
+}
+
+/// Mean, deviation and skewness of the sum of two independent variables, one with the given mean, deviation and
+/// skewness, one normal: by enumeration of a variable of two values and one of three that have these moments.
+pub fn sum_moments(first: [f64; 3], normal: [f64; 2]) -> [f64; 3] {
+    let [mean, deviation, skewness] = first;
+    let root = (skewness * skewness + 4.0).sqrt();
+    let values = [0.5 * (skewness + root), 0.5 * (skewness - root)];
+    let two = [(values[0], -values[1] / root), (values[1], values[0] / root)];
+    let three = [(0.0, 2.0 / 3.0), (3f64.sqrt(), 1.0 / 6.0), (-3f64.sqrt(), 1.0 / 6.0)];
+    let outcomes = two.into_iter().flat_map(|(z, weight)| {
+        three.map(|(r, share)| (mean + deviation * z + normal[0] + normal[1] * r, weight * share))
+    });
+    let outcomes: Vec<(f64, f64)> = outcomes.collect();
+    let center: f64 = outcomes.iter().map(|(value, weight)| value * weight).sum();
+    let central = |power| outcomes.iter().map(|(value, weight)| (value - center).powi(power) * weight).sum::<f64>();
+    let [mean, deviation, skewness, _] = standardized(center, central(2), central(3), 0.0);
+    [mean, deviation, skewness]
+}
+
+/// The probability below z of two normal distributions with mean 0 and variance 1 together, the higher one with a share
+/// of [`HIGH_SHARE`], and its derivatives by d and e. Their means are d/√(w/(1 − w)) up and d·√(w/(1 − w)) down, their
+/// variances 1 − d² plus and minus as much of e.
+fn pair(z: f64, d: f64, e: f64) -> [f64; 3] {
+    let ratio = (HIGH_SHARE / (1.0 - HIGH_SHARE)).sqrt();
+    let side = |share: f64, lever: f64| {
+        let deviation = (1.0 - d * d + lever * e).sqrt();
+        let at = (z - lever * d) / deviation;
+        let slope = share * normal_density(at) / deviation;
+        let by_variance = -0.5 * slope * at / deviation;
+        [share * normal_cumulative(at), -slope * lever - 2.0 * d * by_variance, by_variance * lever]
+    };
+    let (high, low) = (side(HIGH_SHARE, 1.0 / ratio), side(1.0 - HIGH_SHARE, -ratio));
+    std::array::from_fn(|index| high[index] + low[index])
+}
+
+/// The two normal distributions, with shares of 3/8 and 5/8, that have the mean and variance of the visible heights
+/// together and whose cumulative function is nearest to theirs in the mean square over heights: mean and deviation of
+/// the higher one, then of the lower one. By Gauss–Newton steps, for Λ from 1e-4 on.
+pub fn nearest_pair(lambda: f64) -> [f64; 4] {
+    let [mean, deviation, ..] = moments(lambda);
+    let points: Vec<(f64, f64)> =
+        (-30..=40).map(|index| 0.2 * f64::from(index)).map(|z| (z, cumulative(mean + deviation * z, lambda))).collect();
+    // Visible heights are narrower than heights, and the wider apart the two are the less is left for each.
+    let mut d = 0.6 * (1.0 - deviation * deviation).max(0.0).sqrt();
+    let mut e = 0.35 * d;
+    for _ in 0..12 {
+        let mut normal = [0.0; 5];
+        for &(z, below) in &points {
+            let [value, by_d, by_e] = pair(z, d, e);
+            let off = below - value;
+            for (sum, term) in normal.iter_mut().zip([by_d * by_d, by_d * by_e, by_e * by_e, by_d * off, by_e * off]) {
+                *sum += term;
+            }
+        }
+        let [dd, de, ee, off_d, off_e] = normal;
+        let determinant = dd * ee - de * de;
+        if !(determinant > 0.0) {
+            break;
+        }
+        d += (ee * off_d - de * off_e) / determinant;
+        e += (dd * off_e - de * off_d) / determinant;
+    }
+    let ratio = (HIGH_SHARE / (1.0 - HIGH_SHARE)).sqrt();
+    let side = |lever: f64| [mean + deviation * lever * d, deviation * (1.0 - d * d + lever * e).sqrt()];
+    let ([high, high_deviation], [low, low_deviation]) = (side(1.0 / ratio), side(-ratio));
+    [high, high_deviation, low, low_deviation]
+}
