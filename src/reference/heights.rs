@@ -20,9 +20,9 @@ pub fn cumulative(height: f64, lambda: f64) -> f64 {
     (-(1.0 + lambda) * surprisal(height) * std::f64::consts::LN_2).exp()
 }
 
-/// Where visible heights lie, but for 1e-17 of them on each side.
+/// Where visible heights lie, but for 1e-18 of them on each side.
 pub fn range(lambda: f64) -> [f64; 2] {
-    let bits = [57.0, 1.5e-17].map(|bits| bits / (1.0 + lambda));
+    let bits = [62.0, 1e-19].map(|bits| bits / (1.0 + lambda));
     bits.map(|bits| {
         let (mut low, mut high) = (-REACH, REACH);
         for _ in 0..40 {
@@ -60,15 +60,20 @@ pub fn moments(lambda: f64) -> [f64; 4] {
 /// The same by parts: from the integrals of the cumulative function alone.
 pub fn moments_by_parts(lambda: f64) -> [f64; 4] {
     let [from, to] = range(lambda);
-    // E[(h − c)^k] = (to − c)^k − ∫ k (h − c)^(k−1) F(h) dh.
+    // E[(h − c)^k] = ∫ k (h − c)^(k−1) (1 − F) above c minus ∫ k (h − c)^(k−1) F below.
     let about = |center: f64| -> [f64; 4] {
-        let areas: [f64; 4] = integrate(from, to, (to - from) / PANELS, |height| {
-            let (z, below) = (height - center, cumulative(height, lambda));
-            [1, 2, 3, 4].map(|power| f64::from(power) * z.powi(power - 1) * below)
-        });
-        std::array::from_fn(|index| (to - center).powi(index as i32 + 1) - areas[index])
+        let areas = |from: f64, to: f64, share: fn(f64) -> f64| -> [f64; 4] {
+            integrate(from, to, (to - from) / PANELS, |height| {
+                let z = height - center;
+                let share = share(-(1.0 + lambda) * surprisal(height) * std::f64::consts::LN_2);
+                [1, 2, 3, 4].map(|power| f64::from(power) * z.powi(power - 1) * share)
+            })
+        };
+        let (above, below) = (areas(center, to, |log| -log.exp_m1()), areas(from, center, f64::exp));
+        std::array::from_fn(|index| above[index] - below[index])
     };
-    let mean_height = about(0.0)[0];
+    let middle = 0.5 * (from + to);
+    let mean_height = middle + about(middle)[0];
     let [_, second, third, fourth] = about(mean_height);
     standardized(mean_height, second, third, fourth)
 }

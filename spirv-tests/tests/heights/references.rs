@@ -1,0 +1,167 @@
+//! Question 1: is the reference right? No device.
+
+use std::f64::consts::{LN_10, LN_2, PI};
+
+use prefilter::reference::heights::{
+    cumulative, density, mean, moments, moments_by_parts, nearest_pair, perturbed_cumulative, range, sum_moments,
+    HIGH_SHARE,
+};
+use prefilter::reference::normal::{cumulative as normal_cumulative, density as normal_density, surprisal};
+use prefilter::reference::quadrature::integrate;
+
+/// Λ with mean, deviation, skewness and excess kurtosis of the visible heights.
+///
+/// Source: numerics/height.md, section 1, whose authors had them from a trapezoid rule in 64 bits and from 30 digits.
+const MOMENTS: [[f64; 5]; 11] = [
+    [0.0, 0.0, 1.0, 0.0, 0.0],
+    [0.1, 0.084794820586930, 0.972290049365779, 0.01908, 0.00585],
+    [0.3, 0.227466478350249, 0.926825349898797, 0.05242, 0.01818],
+    [1.0, 0.564189583547756, 0.825645271176556, 0.13695, 0.06174],
+    [3.0, 1.029375373003964, 0.701224098897593, 0.26452, 0.16232],
+    [10.0, 1.586436351908, 0.577275880929524, 0.42335, 0.35016],
+    [30.0, 2.056464097638194, 0.493636621208347, 0.54976, 0.55397],
+    [100.0, 2.511148227515478, 0.428973177902047, 0.65602, 0.76690],
+    [1e3, 3.241722761984568, 0.351336810040057, 0.78647, 1.08822],
+    [1e4, 3.851640410707659, 0.304154552415220, 0.86247, 1.31092],
+    [1e6, 4.862897684475567, 0.248004570370223, 0.94547, 1.58858],
+];
+
+#[test]
+fn moments_are_the_printed_ones_by_both_methods() {
+    for [lambda, printed @ ..] in MOMENTS {
+        for found in [moments(lambda), moments_by_parts(lambda)] {
+            for ((found, printed), digits) in found.iter().zip(printed).zip([2e-14, 2e-14, 6e-6, 6e-6]) {
+                // Cancellation within a narrow distribution far from 0.
+                assert!((found - printed).abs() < digits + 2e-14 * lambda.ln_1p(), "{lambda}: {found} {printed}");
+            }
+        }
+    }
+}
+
+#[test]
+fn moments_are_those_of_order_statistics() {
+    // Visible heights at a whole Λ are the largest of 1 + Λ heights; up to three have closed means.
+    let root = PI.sqrt();
+    for (lambda, closed, deviation) in [
+        (0.0, 0.0, 1.0),
+        (1.0, 1.0 / root, (1.0 - 1.0 / PI).sqrt()),
+        (2.0, 1.5 / root, (1.0 + (3f64.sqrt() - 4.5) / (2.0 * PI)).sqrt()),
+    ] {
+        let [mean, found, ..] = moments(lambda);
+        assert!((mean - closed).abs() < 1e-14 && (found - deviation).abs() < 1e-14, "{lambda}: {mean} {found}");
+    }
+    // The slope at 0 is ∫ φ²/Φ.
+    let [slope] = integrate(-12.0, 12.0, 0.5, |z| [normal_density(z).powi(2) / normal_cumulative(z)]);
+    assert!((slope - 0.903_197_285_568_625_3).abs() < 1e-13, "{slope}");
+    let [near, far] = [1e-4, 2e-4].map(|lambda| moments(lambda)[0]);
+    assert!(((4.0 * near - far) / 2e-4 - slope).abs() < 1e-7);
+}
+
+#[test]
+fn both_methods_agree_between_the_printed_values() {
+    for lambda in crate::lambdas(1e-6, 1.1e6, 331) {
+        for (one, other) in moments(lambda).into_iter().zip(moments_by_parts(lambda)) {
+            assert!((one - other).abs() < 1e-12, "{lambda}: {one} {other}");
+        }
+    }
+}
+
+#[test]
+fn probabilities_are_the_integral_of_the_density() {
+    for lambda in [0.0, 0.017, 0.8, 5.3, 117.0, 2.3e4, 1e6] {
+        let [from, to] = range(lambda);
+        let [whole] = mean(lambda, |_| [1.0]);
+        assert!((whole - 1.0).abs() < 1e-13, "{lambda}: {whole}");
+        for part in [0.13, 0.31, 0.44, 0.58, 0.87] {
+            let height = from + part * (to - from);
+            let [below] = integrate(from, height, 0.1, |height| [density(height, lambda)]);
+            let closed = cumulative(height, lambda);
+            assert!((below - closed).abs() < 1e-12, "{height}, {lambda}: {below} {closed}");
+        }
+    }
+    assert_eq!((cumulative(-1e300, 0.0), cumulative(1e300, 1e6)), (0.0, 1.0));
+}
+
+/// −log₁₀ Q(x) of the standard normal distribution.
+///
+/// Source: Abramowitz and Stegun 1964, "Handbook of Mathematical Functions", table 26.2.
+const TAILS: [(f64, f64); 4] = [(5.0, 6.54265), (6.0, 9.00586), (8.0, 15.20614), (10.0, 23.11805)];
+
+#[test]
+fn the_surprisal_is_the_printed_one_and_the_integral_of_its_slope() {
+    for (x, digits) in TAILS {
+        assert!((surprisal(-x) * LN_2 / LN_10 - digits).abs() < 6e-6, "{x}");
+    }
+    // d(−ln Φ)/dx = −φ/Φ.
+    for x in [-13.0, -6.2, -0.3, 0.0, 0.9, 3.7, 7.5, 12.0] {
+        let [nats] = integrate(x, x + 30.0, 0.5, |z| [normal_density(z) / normal_cumulative(z)]);
+        assert!((surprisal(x) * LN_2 / nats - 1.0).abs() < 1e-12, "{x}: {nats}");
+    }
+}
+
+#[test]
+fn means_of_powers_are_closed() {
+    for lambda in [0.0, 0.3, 2.7, 41.0, 1.7e3, 1e6] {
+        for power in [0.0, 0.5, 1.0, 3.0, 7.0, 16.0] {
+            let [found] = mean(lambda, |height| [normal_cumulative(height).powf(power)]);
+            let closed = (1.0 + lambda) / (1.0 + lambda + power);
+            assert!((found - closed).abs() < 1e-12, "{lambda}, {power}: {found} {closed}");
+        }
+    }
+}
+
+/// Mean, deviation and skewness of visible heights plus noise, from the convolution's probabilities by parts.
+fn convolved(lambda: f64, noise: f64) -> [f64; 3] {
+    let [from, to] = range(lambda).map(|end| end + 9.0 * noise * if end < moments(lambda)[0] { -1.0 } else { 1.0 });
+    let about = |center: f64| -> [f64; 3] {
+        let areas: [f64; 3] = integrate(from, to, 0.25, |height| {
+            let (z, below) = (height - center, perturbed_cumulative(height, lambda, noise));
+            [below, 2.0 * z * below, 3.0 * z * z * below]
+        });
+        std::array::from_fn(|index| (to - center).powi(index as i32 + 1) - areas[index])
+    };
+    let mean = about(0.0)[0];
+    let [_, second, third] = about(mean);
+    [mean, second.sqrt(), third / second.powf(1.5)]
+}
+
+#[test]
+fn sums_with_noise_have_the_moments_of_the_convolution() {
+    for lambda in [0.2, 3.0, 64.0, 1e4] {
+        let [mean, deviation, skewness, _] = moments(lambda);
+        for noise in [0.1, 0.5, 1.3] {
+            let summed = sum_moments([mean, deviation, skewness], [0.0, noise]);
+            for (summed, convolved) in summed.into_iter().zip(convolved(lambda, noise)) {
+                assert!((summed - convolved).abs() < 1e-10, "{lambda}, {noise}: {summed} {convolved}");
+            }
+        }
+    }
+}
+
+#[test]
+fn the_nearest_pair_has_the_moments_and_no_nearer_neighbor() {
+    for lambda in [1e-3, 0.4, 6.0, 90.0, 1e4] {
+        let [mean, deviation, ..] = moments(lambda);
+        let pair = nearest_pair(lambda);
+        let [share, other] = [HIGH_SHARE, 1.0 - HIGH_SHARE];
+        let middle = share * pair[0] + other * pair[2];
+        let second = share * (pair[1].powi(2) + pair[0].powi(2)) + other * (pair[3].powi(2) + pair[2].powi(2));
+        assert!((middle - mean).abs() < 1e-13 && ((second - mean * mean).sqrt() - deviation).abs() < 1e-12);
+        let distance = |pair: [f64; 4]| {
+            let [sum] = integrate(mean - 7.0 * deviation, mean + 9.0 * deviation, 0.5 * deviation, |height| {
+                let below = share * normal_cumulative((height - pair[0]) / pair[1])
+                    + other * normal_cumulative((height - pair[2]) / pair[3]);
+                [(below - cumulative(height, lambda)).powi(2)]
+            });
+            sum
+        };
+        // Neighbors with the same moments: the high one moves and widens, the low one makes up for it.
+        for [move_by, widen] in [[1e-4, 0.0], [-1e-4, 0.0], [0.0, 1e-4], [0.0, -1e-4]] {
+            let (high, variance) = (pair[0] + move_by * deviation, (pair[1] + widen * deviation).powi(2));
+            let low = (mean - share * high) / other;
+            let rest = (second - share * (variance + high * high)) / other - low * low;
+            let near = [high, variance.sqrt(), low, rest.sqrt()];
+            assert!(distance(near) > distance(pair), "{lambda}: {near:?} is nearer than {pair:?}");
+        }
+    }
+}
