@@ -111,6 +111,19 @@ fn an_unwritten_output_fails() {
 }
 
 #[test]
+fn a_device_may_flush_subnormal_results_but_no_others() {
+    let tiny = Row::new("double", |x| [x[0]]);
+    let compared = |expected: f64, got: f64| {
+        compare(&good(), Promise::Relative(1e-6), &tiny, &[vec![expected]], &[vec![got]])
+            .map(|judged| judged.worst.error)
+    };
+    assert_eq!(compared(1.1e-38, 0.0), Ok(0.0));
+    assert!(matches!(compared(1.2e-38, 0.0), Err(Failure::Broken(_))));
+    assert!(matches!(compared(1.1e-38, 1e-37), Err(Failure::Broken(_))));
+    assert!(matches!(compared(1.1e-38, f64::NAN), Err(Failure::Broken(_))));
+}
+
+#[test]
 fn no_case_fails() {
     let compared =
         |points: &[Vec<f64>], results: &[Vec<f64>]| compare(&good(), Promise::Exact, &row(), points, results);
