@@ -9,6 +9,7 @@ pub mod harness;
 pub mod judged;
 pub mod kernel;
 pub mod maps;
+pub mod random;
 pub mod rows;
 pub mod scenes;
 pub mod signature;

@@ -3,6 +3,8 @@
 use prefilter::ColorMap;
 use serde_json::Value;
 
+use crate::random::Random;
+
 /// The names of the maps in the file.
 pub const NAMES: [&str; 6] = ["terrain", "gist_earth", "viridis", "steps6", "stripe1_lin", "stripe1_hard"];
 
@@ -42,13 +44,8 @@ fn color(value: &Value) -> Result<[f32; 3], &'static str> {
 /// # Errors
 /// A count that no map may have.
 pub fn random(count: usize, hard: bool, seed: u32) -> Result<ColorMap, prefilter::Error> {
-    let mut state = seed;
-    let mut next = || {
-        state = state.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
-        let word = ((state >> ((state >> 28) + 4)) ^ state).wrapping_mul(277_803_737);
-        ((word >> 22) ^ word) >> 8
-    };
-    let mut unit = || next() as f32 / 16_777_216.0;
+    let mut random = Random::new(seed);
+    let mut unit = || random.unit() as f32;
     let mut positions: Vec<f32> = (0..count).map(|_| unit()).collect();
     positions.sort_by(f32::total_cmp);
     positions.dedup();

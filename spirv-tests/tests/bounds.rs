@@ -6,6 +6,7 @@ use std::error::Error;
 use prefilter::gpu::Device;
 use prefilter::{Bound, ColorMap, Colors, Kernel, Ranges, Scene, Tier};
 use spirv_tests::judged::{measured, points};
+use spirv_tests::random::Random;
 
 type Outcome = Result<(), Box<dyn Error + Send + Sync>>;
 
@@ -22,25 +23,6 @@ const PROMISED: [(Tier, Colors); 4] = [
 
 /// Tiers whose bound is an estimate over the whole range of means, which the paper's does not cover.
 const TABLES: [(Tier, Colors); 2] = [(Tier::Table, Colors::Constant), (Tier::Table, Colors::Dynamic)];
-
-/// PCG's output function over a linear congruential generator: the same cases on every machine.
-struct Random(u32);
-
-impl Random {
-    fn word(&mut self) -> u32 {
-        self.0 = self.0.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
-        let word = ((self.0 >> ((self.0 >> 28) + 4)) ^ self.0).wrapping_mul(277_803_737);
-        (word >> 22) ^ word
-    }
-
-    fn unit(&mut self) -> f32 {
-        (self.word() >> 8) as f32 / 16_777_216.0
-    }
-
-    fn pick<T: Copy, const N: usize>(&mut self, of: [T; N]) -> T {
-        of[self.word() as usize % N]
-    }
-}
 
 /// Ranges of any width and place, with deviations from a thousandth of it to ten times it.
 fn ranges(random: &mut Random) -> Ranges {
@@ -60,7 +42,7 @@ fn map(random: &mut Random, ranges: Ranges) -> Result<ColorMap, prefilter::Error
     let (smooth, hard) = (random.pick([true, false]), random.pick([true, false]));
     let count = random.pick([1, 2, 3, 6, 20, 60, 300]);
     let mut positions: Vec<f32> =
-        (0..count).map(|_| (middle + (random.unit() - 0.5) * spread).clamp(-MOST, MOST)).collect();
+        (0..count).map(|_| (middle + (random.unit() as f32 - 0.5) * spread).clamp(-MOST, MOST)).collect();
     positions.sort_by(f32::total_cmp);
     positions.dedup();
     let mut stops = Vec::new();
@@ -69,7 +51,7 @@ fn map(random: &mut Random, ranges: Ranges) -> Result<ColorMap, prefilter::Error
         let mut color = || {
             let part = |channel: usize| match smooth {
                 true => 0.5 + 0.5 * (phase + channel as f32).sin(),
-                false => random.unit(),
+                false => random.unit() as f32,
             };
             [0, 1, 2, 3].map(part).map(|part| (offset + size * part).clamp(-MOST, MOST))
         };
@@ -102,7 +84,7 @@ fn keeps(device: &Device, map: &ColorMap, ranges: Ranges, tiers: &[(Tier, Colors
 fn random_maps_keep_their_bounds_in_random_ranges() -> Outcome {
     let device = Device::new()?;
     for seed in 0..40 {
-        let mut random = Random(seed);
+        let mut random = Random::new(seed);
         let ranges = ranges(&mut random);
         keeps(&device, &map(&mut random, ranges)?, ranges, &PROMISED, &format!("seed {seed}"))?;
     }
@@ -114,7 +96,7 @@ fn random_maps_keep_their_bounds_in_random_ranges() -> Outcome {
 fn estimates_of_tables_hold_for_random_maps() -> Outcome {
     let device = Device::new()?;
     for seed in 1000..1012 {
-        let mut random = Random(seed);
+        let mut random = Random::new(seed);
         let ranges = ranges(&mut random);
         keeps(&device, &map(&mut random, ranges)?, ranges, &TABLES, &format!("seed {seed}"))?;
     }

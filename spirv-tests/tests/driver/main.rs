@@ -7,15 +7,12 @@ mod pyramids;
 mod references;
 
 use prefilter::reference::moments::{Beyond, Image};
+use spirv_tests::random::Random;
 
 /// Values between 0 and 1 from a seed.
 fn random(seed: u32) -> impl FnMut() -> f64 {
-    let mut state = seed;
-    move || {
-        state = state.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
-        let word = ((state >> ((state >> 28) + 4)) ^ state).wrapping_mul(277_803_737);
-        f64::from((word >> 22) ^ word) / 4_294_967_296.0
-    }
+    let mut random = Random::new(seed);
+    move || random.unit()
 }
 
 /// An image of the examples, stretched to [0, 1].

@@ -101,7 +101,7 @@ fn any_point(random: &mut Random) -> Vec<f64> {
 
 #[test]
 fn a_million_extreme_inputs_stay_in_their_ranges() {
-    let mut random = Random(6);
+    let mut random = Random::new(6);
     let (mut hidden, mut partly) = (0, 0);
     for _ in 0..5 {
         let points: Vec<Vec<f64>> = (0..200_000).map(|_| any_point(&mut random)).collect();
@@ -133,7 +133,7 @@ fn a_million_extreme_inputs_stay_in_their_ranges() {
 
 #[test]
 fn seen_along_the_light_every_point_is_lit() {
-    let mut random = Random(7);
+    let mut random = Random::new(7);
     let points = (0..10_000).map(|_| {
         let toward = direction(random.between(1e-6, 1.0), 2.0 * PI * random.unit());
         let [x, y] = [random.between(0.01, 3.0), random.between(0.01, 3.0)];

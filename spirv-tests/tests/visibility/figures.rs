@@ -58,7 +58,7 @@ fn lambda_from_parameters() {
     let text = "fn judged(parameter: f32) -> vec2f {
         return vec2f(smith_lambda(parameter), smith_lambda_fast(parameter));
     }";
-    let mut random = Random(1);
+    let mut random = Random::new(1);
     let mut values: Vec<f64> = (0..POINTS).map(|_| 10.0 * random.unit()).collect();
     values.extend((0..POINTS).map(|_| random.between(5.4e-7, 10.0)));
     values.sort_by(f64::total_cmp);
@@ -76,7 +76,7 @@ fn lambda_from_parameters() {
 
 #[test]
 fn lambda_from_directions() {
-    let mut random = Random(2);
+    let mut random = Random::new(2);
     let points = (0..POINTS).map(|_| {
         let correlation = 0.96 * (2.0 * random.unit() - 1.0);
         [&upper(&mut random)[..], &covariance(&mut random, correlation), &[0.0; 2]].concat()
@@ -88,16 +88,16 @@ fn lambda_from_directions() {
 
 #[test]
 fn lambda_from_nearly_singular_covariances() {
-    let mut random = Random(4);
+    let mut random = Random::new(4);
     for power in 1..=7 {
         let rest = 10f64.powi(-power);
         let mut storing = 0.0f64;
         let points = (0..POINTS / 4).map(|_| {
-            let sign = random.sign();
+            let sign = random.pick([-1.0, 1.0]);
             let [x, y] = single([random.between(0.05, 2.0), random.between(0.05, 2.0)]);
             let exact = [x * x, sign * (1.0 - rest) * x * y, y * y];
             // Half of the directions lie along the ridges, where hardly any slope is left.
-            let (near, anywhere) = (random.sign() * random.between(1e-7, 1.0), 2.0 * PI * random.unit());
+            let (near, anywhere) = (random.pick([-1.0, 1.0]) * random.between(1e-7, 1.0), 2.0 * PI * random.unit());
             let azimuth = random.pick([x.atan2(-sign * y) + near, anywhere]);
             let toward = direction(upper(&mut random)[2], azimuth);
             let stored = single(exact);
@@ -116,7 +116,7 @@ fn lambda_from_nearly_singular_covariances() {
 
 #[test]
 fn lambda_over_tilted_surfaces() {
-    let mut random = Random(5);
+    let mut random = Random::new(5);
     for least in [0.1, 1e-2, 1e-3] {
         let mut points = Vec::new();
         while points.len() < POINTS as usize / 4 {
@@ -145,7 +145,7 @@ fn judged(view: vec3f, light: vec3f, covariance: vec3f) -> vec4f {
     let fast = visibility_shadowing(smith_lambda_fast(a.x), smith_lambda_fast(a.y));
     return vec4f(visibility_shadowing(fine.x, fine.y), visibility_shadowing(fine.x, left), fast, 0.0);
 }";
-    let mut random = Random(8);
+    let mut random = Random::new(8);
     let points = (0..POINTS / 10).map(|_| {
         let correlation = 0.9 * (2.0 * random.unit() - 1.0);
         [upper(&mut random), upper(&mut random), covariance(&mut random, correlation)].concat()

@@ -6,34 +6,7 @@ mod reference;
 
 use prefilter::gpu::Device;
 use spirv_tests::kernel::Function;
-
-/// PCG's output function over a linear congruential generator: the same cases on every machine.
-struct Random(u32);
-
-impl Random {
-    fn word(&mut self) -> u32 {
-        self.0 = self.0.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
-        let word = ((self.0 >> ((self.0 >> 28) + 4)) ^ self.0).wrapping_mul(277_803_737);
-        (word >> 22) ^ word
-    }
-
-    fn unit(&mut self) -> f64 {
-        f64::from(self.word()) / 4_294_967_296.0
-    }
-
-    fn pick<T: Copy, const N: usize>(&mut self, of: [T; N]) -> T {
-        of[self.word() as usize % N]
-    }
-
-    /// Evenly between the logarithms.
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        low * (high / low).powf(self.unit())
-    }
-
-    fn sign(&mut self) -> f64 {
-        self.pick([-1.0, 1.0])
-    }
-}
+use spirv_tests::random::Random;
 
 /// The numbers as the device takes them.
 fn single<const N: usize>(values: [f64; N]) -> [f64; N] {

@@ -40,7 +40,7 @@ fn lambda_follows_its_differential_equation() {
 
 #[test]
 fn a_mean_slope_moves_the_slopes_and_the_direction_together() {
-    let mut random = Random(3);
+    let mut random = Random::new(3);
     let mut cases = 0;
     for _ in 0..2_000 {
         let toward = direction(random.unit(), 2.0 * PI * random.unit());
