@@ -3,6 +3,7 @@
 //! Imports nothing of the crate and shares no formula with a shader, so that agreement means something.
 
 pub mod footprint;
+pub mod height;
 pub mod heights;
 pub mod moments;
 pub mod normal;
