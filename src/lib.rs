@@ -56,6 +56,14 @@
 //! how far the covered values are from a normal distribution is the driver's matter, and `cargo xtask demo` measures
 //! it.
 //!
+//! # Color by height
+//!
+//! Heights of a rough surface hide each other at grazing angles, and what is seen and lit are rather the high ones.
+//! [`Scene::height`] averages the map over those: `NAME_height` takes the mean and deviation of the heights, the
+//! covariance of the slopes, and the directions of view and light. `NAME_visibility` is the share of the seen that is
+//! lit, for those who have no shadows yet. [`HeightTier`]s differ in how they represent the visible heights,
+//! [`Microsurface`] says what hides them, and [`Module::explain`] what Smith's model itself is off by.
+//!
 //! # Conventions
 //!
 //! - `mean` and `deviation` (σ, never the variance σ²) share the unit of the color map's positions. Deviations below
@@ -103,6 +111,7 @@ pub use driver::moment_mipmap::{Edge, MomentMipmap};
 pub use driver::moments::{Moments, Pixel, Taps};
 pub use driver::Driver;
 pub use error::Error;
+pub use filter::height::{HeightTier, Microsurface};
 pub use filter::{Kernel, Tier};
 pub use module::{Export, Module, Stage};
 #[cfg(feature = "macros")]

@@ -1,16 +1,13 @@
 //! From a description to a module: the only file that knows drivers, transfer functions and filters together.
 
-use std::collections::BTreeMap;
-use std::fmt::Write;
+mod candidate;
+mod explanation;
 
-use crate::accuracy::{Accuracy, Bound, Ranges};
-use crate::cost::{self, Cost};
+use crate::accuracy::{Accuracy, Ranges};
 use crate::driver::Driver;
-use crate::filter::texture::{color_type, filter, Filter};
-use crate::filter::{Kernel, Tier};
-use crate::module::{Export, Module};
-use crate::shader::Shader;
-use crate::table::{Sampling, Table};
+use crate::filter::height::{HeightTier, Microsurface};
+use crate::filter::Tier;
+use crate::module::Module;
 use crate::transfer::color_map::{ColorMap, Colors};
 use crate::{name, Error};
 
@@ -28,23 +25,15 @@ use crate::{name, Error};
 pub struct Scene {
     name: String,
     texture: Option<ColorMap>,
+    height: Option<ColorMap>,
+    #[cfg_attr(feature = "serde", serde(default))]
+    microsurface: Microsurface,
     colors: Colors,
     tier: Option<Tier>,
-    accuracy: Accuracy,
+    height_tier: Option<HeightTier>,
+    accuracy: Option<Accuracy>,
     ranges: Option<Ranges>,
     driver: Option<Driver>,
-}
-
-/// Tiers from which an accuracy chooses; a tie in weight goes to the earlier.
-const LADDER: [Tier; 3] = [Tier::ClosedForm(Kernel::Fast), Tier::ClosedForm(Kernel::Exact), Tier::Table];
-
-/// A tier tried for a scene.
-struct Candidate {
-    tier: Tier,
-    filter: Filter,
-    glue: String,
-    linked: Shader,
-    cost: Cost,
 }
 
 impl Scene {
@@ -53,9 +42,12 @@ impl Scene {
         Self {
             name: name.to_owned(),
             texture: None,
+            height: None,
+            microsurface: Microsurface::default(),
             colors: Colors::default(),
             tier: None,
-            accuracy: Accuracy::default(),
+            height_tier: None,
+            accuracy: None,
             ranges: None,
             driver: None,
         }
@@ -67,22 +59,59 @@ impl Scene {
         Self { texture: Some(map), ..self }
     }
 
+    /// Ch: color by the height of a rough surface whose hidden parts do not count.
+    ///
+    /// Exports `NAME_height(mean, deviation, slope_covariance, view, light, …)`, the mean color over the heights that
+    /// are seen and lit, and apart from it `NAME_visibility(slope_covariance, view, light)`, the share of what is seen
+    /// that is lit.
+    ///
+    /// The ranges are those of the heights' mean and deviation. Bounds are against Smith's model, for Λ of view and
+    /// light that add up to 1e4 at most, and but for [`HeightTier::Exact`] for deviations from a thousandth of the
+    /// largest mean.
+    ///
+    /// ```
+    /// use prefilter::{ColorMap, HeightTier, Scene};
+    /// let moss = ColorMap::bands([0.1, 0.2, 0.05], [(0.4, [0.3, 0.3, 0.25]), (0.8, [0.6, 0.6, 0.55])])?;
+    /// let module = Scene::new("moss").height(moss).height_tier(HeightTier::Exact).module()?;
+    /// let names: Vec<_> = module.exports().iter().map(|export| export.name.as_str()).collect();
+    /// assert_eq!(names, ["moss_height", "moss_visibility"]);
+    /// # Ok::<(), prefilter::Error>(())
+    /// ```
+    #[must_use]
+    pub fn height(self, map: ColorMap) -> Self {
+        Self { height: Some(map), ..self }
+    }
+
+    /// What hides parts of the surface that is colored by height. Default: view and light, taken for independent.
+    #[must_use]
+    pub fn microsurface(self, microsurface: Microsurface) -> Self {
+        Self { microsurface, ..self }
+    }
+
     /// Where the module finds the colors. Default: in the text.
     #[must_use]
     pub fn colors(self, colors: Colors) -> Self {
         Self { colors, ..self }
     }
 
-    /// This tier instead of the cheapest that keeps the accuracy.
+    /// This tier instead of the cheapest that keeps the accuracy; of a scene of heights, the tier of the color map that
+    /// theirs stands on.
     #[must_use]
     pub fn tier(self, tier: Tier) -> Self {
         Self { tier: Some(tier), ..self }
     }
 
-    /// The largest filter error; the cheapest tier whose bound keeps it is chosen. Default: 1/255.
+    /// This tier of heights instead of the cheapest that keeps the accuracy, which is then the color map's alone.
+    #[must_use]
+    pub fn height_tier(self, tier: HeightTier) -> Self {
+        Self { height_tier: Some(tier), ..self }
+    }
+
+    /// The largest filter error; the cheapest tier whose bound keeps it is chosen. Default: 1/255, and for heights the
+    /// closest tier where none keeps that.
     #[must_use]
     pub fn accuracy(self, accuracy: Accuracy) -> Self {
-        Self { accuracy, ..self }
+        Self { accuracy: Some(accuracy), ..self }
     }
 
     /// The values over which bounds hold and tables reach; larger deviations count as the largest. Default:
@@ -109,12 +138,12 @@ impl Scene {
 
     /// The color map, where the scene has one.
     pub fn map(&self) -> Option<&ColorMap> {
-        self.texture.as_ref()
+        self.texture.as_ref().or(self.height.as_ref())
     }
 
     /// The ranges that bounds hold over: those given, or else those of the map.
     pub fn chosen_ranges(&self) -> Ranges {
-        self.ranges.unwrap_or_else(|| self.texture.as_ref().map_or(Ranges::default(), Ranges::of))
+        self.ranges.unwrap_or_else(|| self.map().map_or(Ranges::default(), Ranges::of))
     }
 
     /// Generates, links and validates the module.
@@ -129,16 +158,13 @@ impl Scene {
     pub fn module(&self) -> Result<Module, Error> {
         name::check(&self.name)?;
         self.chosen_ranges().check()?;
-        self.accuracy.check()?;
+        self.accuracy.map_or(Ok(()), |accuracy| accuracy.check())?;
         self.driver.map_or(Ok(()), |driver| driver.check())?;
-        let Some(map) = &self.texture else {
-            return Err(Error::Conflict(format!("the scene `{}` filters nothing; give it a `texture`", self.name)));
-        };
-        let (chosen, passed) = self.choose(map)?;
+        let (chosen, passed) = self.choose()?;
         let explanation = self.explain(&chosen, &passed);
         Ok(Module {
             name: self.name.clone(),
-            exports: exports(&chosen.glue),
+            exports: self.exports(&chosen.glue),
             glue: chosen.glue,
             linked: chosen.linked,
             tables: chosen.filter.tables,
@@ -147,123 +173,4 @@ impl Scene {
             cost: chosen.cost,
         })
     }
-
-    /// The lightest candidate within the accuracy, or the named tier; and the others that were tried.
-    fn choose(&self, map: &ColorMap) -> Result<(Candidate, Vec<Candidate>), Error> {
-        if let Some(tier) = self.tier {
-            return Ok((self.candidate(map, tier)?, Vec::new()));
-        }
-        let fits = |tier: &Tier| match tier {
-            Tier::ClosedForm(Kernel::Fast) => self.colors == Colors::Constant,
-            Tier::Table => self.accuracy.tables,
-            _ => true,
-        };
-        let mut candidates =
-            LADDER.into_iter().filter(fits).map(|tier| self.candidate(map, tier)).collect::<Result<Vec<_>, _>>()?;
-        let budget = self.accuracy.max_filter_error;
-        let kept = candidates.iter().enumerate().filter(|(_, candidate)| candidate.filter.bound.value() <= budget);
-        if let Some((lightest, _)) = kept.min_by_key(|(_, candidate)| candidate.cost.weight()) {
-            let chosen = candidates.remove(lightest);
-            return Ok((chosen, candidates));
-        }
-        let closest = candidates.iter().min_by(|a, b| a.filter.bound.value().total_cmp(&b.filter.bound.value()));
-        Err(Error::Accuracy {
-            scene: self.name.clone(),
-            asked: budget,
-            closest: closest.map_or(String::new(), |candidate| candidate.tier.to_string()),
-            bound: closest.map_or(f32::INFINITY, |candidate| candidate.filter.bound.value()),
-        })
-    }
-
-    fn candidate(&self, map: &ColorMap, tier: Tier) -> Result<Candidate, Error> {
-        let filter = filter(map, self.colors, tier, self.chosen_ranges())?;
-        let glue = self.glue(map, tier, &filter);
-        let path = format!("{}.wgsl", self.name);
-        let linked = prefilter_wgsl::link(&glue)
-            .map_err(|collision| Error::Collision { path: path.clone(), collision })
-            .and_then(|text| Shader::new(&path, text))?;
-        let mut trips = BTreeMap::from([("texture_knots".to_owned(), filter.trips)]);
-        trips.extend(self.driver.map(|driver| (format!("{}_color", self.name), driver.trips())));
-        let (module, info) = linked.parsed();
-        let table_bytes = filter.tables.iter().map(Table::bytes).sum();
-        let calls = exports(&glue).into_iter().map(|export| cost::call(module, info, &export.name, &trips));
-        let cost = Cost { table_bytes, ..calls.max_by_key(|cost| cost.weight()).unwrap_or_default() };
-        Ok(Candidate { tier, filter, glue, linked, cost })
-    }
-
-    fn glue(&self, map: &ColorMap, tier: Tier, filter: &Filter) -> String {
-        let (name, ranges) = (&self.name, self.chosen_ranges());
-        let mut glue =
-            format!("/// Mean color of `{name}` over a pixel that covers a normal distribution, by {tier}.\n///\n");
-        let (low, high) = ranges.mean;
-        let _ = writeln!(glue, "/// For means from {low} to {high} and deviations up to {}.", ranges.deviation);
-        let color = color_type(map);
-        let _ =
-            writeln!(glue, "fn {name}_texture(mean: f32, deviation: f32{}) -> {color} {{", parameters(&filter.tables));
-        glue = glue + &filter.body + "}\n";
-        if let Some(driver) = self.driver {
-            glue.push('\n');
-            glue += &driver.glue(name, color, &parameters(&filter.tables), &arguments(&filter.tables));
-        }
-        glue
-    }
-
-    fn explain(&self, chosen: &Candidate, passed: &[Candidate]) -> String {
-        let Ranges { mean: (low, high), deviation } = self.chosen_ranges();
-        let mut text = format!("{}: texture (C0) by {}\n", self.name, chosen.tier);
-        let _ = writeln!(text, "  error   {}", described(&chosen.filter));
-        let _ = writeln!(text, "  cost    {} a call", chosen.cost);
-        let _ = writeln!(text, "  ranges  means {low} to {high}, deviations to {deviation}");
-        let why = match self.tier {
-            Some(_) => "the scene names this tier".to_owned(),
-            None => format!("the lightest within {:.1e}", self.accuracy.max_filter_error),
-        };
-        let _ = writeln!(text, "  chosen  {why}");
-        for other in passed {
-            let _ = writeln!(text, "  passed  {}: error {}; {}", other.tier, described(&other.filter), other.cost);
-        }
-        let gap = self.driver.map_or(UNDRIVEN.to_owned(), |driver| driver.gap());
-        let _ = writeln!(text, "  not in the error: {gap}");
-        text
-    }
-}
-
-/// What the bound of a filter without a driver does not cover.
-const UNDRIVEN: &str = "how far a pixel's values are from a normal distribution of that mean and deviation";
-
-fn described(filter: &Filter) -> String {
-    match (filter.bound, filter.tables.first()) {
-        (Bound::Estimated(bound), Some(table)) => {
-            format!("{bound:.1e}, estimated: twice the {:.1e} measured between texels", table.error)
-        }
-        (bound, _) => format!("{:.1e}, guaranteed by the shelf's contracts", bound.value()),
-    }
-}
-
-/// `, table: texture_2d<f32>, table_sampler: sampler` for each table.
-fn parameters(tables: &[Table]) -> String {
-    let parameter = |table: &Table| match table.sampling {
-        Sampling::Loaded => format!(", {}: texture_2d<f32>", table.name),
-        Sampling::Filtered => format!(", {0}: texture_2d<f32>, {0}_sampler: sampler", table.name),
-    };
-    tables.iter().map(parameter).collect()
-}
-
-/// `, table, table_sampler` for each table.
-fn arguments(tables: &[Table]) -> String {
-    let argument = |table: &Table| match table.sampling {
-        Sampling::Loaded => format!(", {}", table.name),
-        Sampling::Filtered => format!(", {0}, {0}_sampler", table.name),
-    };
-    tables.iter().map(argument).collect()
-}
-
-/// Every function of the glue.
-fn exports(glue: &str) -> Vec<Export> {
-    let export = |declaration: prefilter_wgsl::Declaration<'_>| Export {
-        name: declaration.name.to_owned(),
-        documentation: declaration.documentation(),
-        signature: declaration.signature,
-    };
-    prefilter_wgsl::declarations(glue).into_iter().map(export).collect()
 }

@@ -1,6 +1,8 @@
 //! The scenes whose modules are snapshots, and go through every backend and validator.
 
-use prefilter::{Accuracy, ColorMap, Colors, Driver, Kernel, Moments, Pixel, Ranges, Scene, Taps, Tier};
+use prefilter::{
+    Accuracy, ColorMap, Colors, Driver, HeightTier, Kernel, Microsurface, Moments, Pixel, Ranges, Scene, Taps, Tier,
+};
 
 use crate::maps::{named, random};
 
@@ -11,7 +13,46 @@ type Result<T> = std::result::Result<T, Box<dyn std::error::Error + Send + Sync>
 /// # Errors
 /// None that the tests have seen: the maps are fixed.
 pub fn all() -> Result<Vec<(&'static str, Scene)>> {
+    Ok([textures()?, heights()?].concat())
+}
+
+/// The scenes of values.
+///
+/// # Errors
+/// As [`all`].
+pub fn textures() -> Result<Vec<(&'static str, Scene)>> {
     Ok([constant_colors()?, dynamic_colors()?, driven()?, edges_and_limits()?].concat())
+}
+
+/// The scenes of heights.
+///
+/// # Errors
+/// As [`all`].
+pub fn heights() -> Result<Vec<(&'static str, Scene)>> {
+    let terrain = || Ok::<_, Box<dyn std::error::Error + Send + Sync>>(Scene::new("terrain").height(named("terrain")?));
+    let lichen = || {
+        ColorMap::gradient([
+            (0.00, [0.05, 0.09, 0.03]),
+            (0.45, [0.21, 0.24, 0.10]),
+            (0.45, [0.42, 0.40, 0.37]),
+            (1.00, [0.71, 0.69, 0.66]),
+        ])
+    };
+    let bands = || Ok::<_, Box<dyn std::error::Error + Send + Sync>>(Scene::new("strata").height(named("steps6")?));
+    let four = ColorMap::gradient([(0.0, [0.1, 0.2, 0.3, 0.4]), (1.0, [0.9, 0.8, 0.7, 1.0])])?;
+    let masked = Microsurface { shadowing: false, masking: true, ..Microsurface::default() };
+    let hotspot = Microsurface { hotspot: true, ..Microsurface::default() };
+    Ok(vec![
+        ("height_default", Scene::new("lichen").height(lichen()?)),
+        ("height_paper", Scene::new("lichen").height(lichen()?).height_tier(HeightTier::Paper)),
+        ("height_gaussian", terrain()?.height_tier(HeightTier::Gaussian).tier(FAST)),
+        ("height_mixture", terrain()?.height_tier(HeightTier::Mixture).tier(EXACT)),
+        ("height_table", terrain()?.height_tier(HeightTier::Mixture).tier(Tier::Table)),
+        ("height_dynamic", terrain()?.colors(Colors::Dynamic).height_tier(HeightTier::Mixture).tier(EXACT)),
+        ("height_bands", bands()?),
+        ("height_bands_hotspot", bands()?.microsurface(hotspot)),
+        ("height_masked", Scene::new("moss").height(four).microsurface(masked).tier(FAST)),
+    ])
 }
 
 const EXACT: Tier = Tier::ClosedForm(Kernel::Exact);

@@ -3,7 +3,8 @@
 use std::error::Error as StdError;
 
 use prefilter::{
-    Accuracy, ColorMap, Colors, Driver, Error, Kernel, Module, Moments, Pixel, Ranges, Scene, Shader, Table, Taps, Tier,
+    Accuracy, ColorMap, Colors, Driver, Error, HeightTier, Kernel, Module, Moments, Pixel, Ranges, Scene, Shader,
+    Table, Taps, Tier,
 };
 use proptest::prelude::*;
 
@@ -40,6 +41,11 @@ fn tier() -> impl Strategy<Value = (Option<Tier>, Colors)> {
     ])
 }
 
+fn height_tier() -> impl Strategy<Value = HeightTier> {
+    use HeightTier::{Exact, Gaussian, Mixture, Paper};
+    proptest::sample::select(vec![Paper, Gaussian, Mixture, Exact])
+}
+
 fn pixel() -> impl Strategy<Value = Pixel> {
     prop_oneof![number().prop_map(Pixel::Round), prop::array::uniform3(number()).prop_map(Pixel::Covariance)]
 }
@@ -74,18 +80,22 @@ proptest! {
     #[test]
     fn scenes_return(
         stops in stops(), (tier, colors) in tier(), pixel in pixel(), error in number(),
-        mean in (number(), number()), deviation in number(),
+        mean in (number(), number()), deviation in number(), height in height_tier(),
     ) {
         let stops = sorted(&stops);
         let accuracy = Accuracy::max_filter_error(error).without_tables();
         let driver = Driver::Moments(Moments { taps: Taps::Two, pixel });
         let Ok(map) = ColorMap::gradient(stops) else { return Ok(()) };
+        let high = Scene::new("extreme").height(map.clone()).colors(colors).height_tier(height);
+        let high = tier.map_or(high.clone().accuracy(accuracy), |tier| high.tier(tier));
         let scene = Scene::new("extreme").texture(map).colors(colors);
         let scene = tier.map_or(scene.clone().accuracy(accuracy), |tier| scene.tier(tier));
         sound(&scene)?;
         sound(&scene.clone().driver(driver))?;
         sound(&scene.clone().ranges(Ranges { mean, deviation }))?;
         sound(&scene.ranges(Ranges { mean, deviation }).driver(driver))?;
+        sound(&high)?;
+        sound(&high.ranges(Ranges { mean, deviation }))?;
     }
 }
 

@@ -84,7 +84,7 @@ fn swizzle(map: &ColorMap) -> &'static str {
 }
 
 /// A color as WGSL, one number where the channels agree: every constructor of a vector takes a scalar.
-fn color(map: &ColorMap, value: [f32; 4]) -> String {
+pub(super) fn color(map: &ColorMap, value: [f32; 4]) -> String {
     let channels = &value[..map.channels()];
     if channels.iter().all(|channel| channel.to_bits() == channels[0].to_bits()) {
         return format!("{}({})", color_type(map), number(channels[0]));
@@ -99,7 +99,7 @@ pub(crate) fn number(value: f32) -> String {
     format!("{value:?}")
 }
 
-fn returned(map: &ColorMap, sum: &str) -> String {
+pub(super) fn returned(map: &ColorMap, sum: &str) -> String {
     let (low, high) = map.hull();
     format!("    return clamp({sum}, {}, {});\n", color(map, low), color(map, high))
 }

@@ -1,0 +1,86 @@
+//! Horizons, flat surfaces and any bits for inputs.
+
+use prefilter::gpu::Device;
+use spirv_tests::exports::ExportKernel;
+use spirv_tests::random::Random;
+use spirv_tests::scenes;
+
+use crate::Outcome;
+
+/// Below a horizon nothing is lit, and colors stay finite and in the hull; so they do for flat surfaces and heights.
+#[test]
+fn horizons_and_flat_surfaces_are_harmless() -> Outcome {
+    let device = Device::new()?;
+    let up = [0.0, 0.0, 1.0];
+    let [low, flat] = [[0.6, 0.0, -0.8], [0.6, 0.8, 0.0]];
+    for (name, scene) in scenes::heights()?.into_iter().filter(|(name, _)| !name.contains("masked")) {
+        let (module, map) = (scene.module()?, scene.map().ok_or("no map")?);
+        let mut points = Vec::new();
+        for covariance in [[0.0; 3], [0.2, 0.1, 0.3], [0.25, 0.25, 0.25]] {
+            for (view, light) in [(up, up), (low, up), (up, low), (low, low), (flat, flat), (flat, up)] {
+                for deviation in [0.0, 1e-7, 0.1, 1e9] {
+                    points.extend([&[0.43, deviation][..], &covariance, &view, &light].concat());
+                }
+            }
+        }
+        let ((least, most), reference) = (map.hull(), map.reference());
+        let colors = ExportKernel::new(&device, &module, &module.exports()[0])?.run(&points)?;
+        assert_eq!(colors.len(), 72);
+        for (color, point) in colors.iter().zip(points.chunks_exact(11)) {
+            let truth = reference.value(0.43);
+            for channel in 0..3 {
+                let slack = if module.tables().is_empty() { 0.0 } else { 1e-3 };
+                assert!(
+                    (least[channel] - slack..=most[channel] + slack).contains(&color[channel]),
+                    "{name}: {point:?}"
+                );
+                // Without a deviation, and overhead as good as that, the color is the map's.
+                let near = module.tables().is_empty() && point[1] <= 1e-7;
+                assert!(!near || (f64::from(color[channel]) - truth[channel]).abs() < 1e-4, "{name}: {point:?}");
+            }
+        }
+        let lit: Vec<f32> = points.chunks_exact(11).flat_map(|point| point[2..].to_vec()).collect();
+        let shares = ExportKernel::new(&device, &module, &module.exports()[1])?.run(&lit)?;
+        for (share, point) in shares.iter().zip(lit.chunks_exact(9)) {
+            let below = point[5] <= 0.0 || point[8] <= 0.0;
+            assert!(if below { share[0] == 0.0 } else { share[0] > 0.99 }, "{name}: {point:?} gives {share:?}");
+        }
+    }
+    Ok(())
+}
+
+/// Random bits as numbers: huge, denormal, infinite, of both signs.
+#[test]
+fn any_input_gives_a_color() -> Outcome {
+    let device = Device::new()?;
+    let mut random = Random::new(77);
+    let mut any = || match random.word() % 8 {
+        0 => [0.0, -0.0, f32::INFINITY, f32::NEG_INFINITY, f32::MAX, 1e-45][random.word() as usize % 6],
+        1..=3 => (2.0 * random.unit() - 1.0) as f32,
+        _ => Some(f32::from_bits(random.word())).filter(|value| !value.is_nan()).unwrap_or(0.5),
+    };
+    for (name, scene) in scenes::heights()? {
+        let (module, map) = (scene.module()?, scene.map().ok_or("no map")?);
+        let (low, high) = map.hull();
+        for export in module.exports() {
+            let kind = |kind: &str| match kind {
+                "f32" => 1,
+                "vec3f" => 3,
+                _ => 0,
+            };
+            let width: usize = export.parameters().iter().map(|parameter| kind(parameter.1)).sum();
+            let points: Vec<f32> = (0..width * 100_000).map(|_| any()).collect();
+            let results = ExportKernel::new(&device, &module, export)?.run(&points)?;
+            assert_eq!(results.len(), 100_000);
+            let colored = export.name.ends_with("_height");
+            for (result, point) in results.iter().zip(points.chunks_exact(width)) {
+                for channel in 0..if colored { map.channels() } else { 1 } {
+                    let slack = if module.tables().is_empty() { 0.0 } else { 1e-3 };
+                    let hull = if colored { low[channel] - slack..=high[channel] + slack } else { 0.0..=1.0 };
+                    assert!(hull.contains(&result[channel]), "{name}: {} of {point:?}: {result:?}", export.name);
+                }
+            }
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,113 @@
+//! Color by height: each tier on the device against the f64 integral, from directions to colors.
+
+mod extremes;
+mod figures;
+mod visibility;
+
+use std::error::Error;
+
+use prefilter::gpu::Device;
+use prefilter::reference::height::mean;
+use prefilter::reference::smith::Along;
+use prefilter::reference::visibility::{azimuth, independence};
+use prefilter::{ColorMap, Kernel, Ranges, Scene, Tier};
+use spirv_tests::exports::ExportKernel;
+use spirv_tests::random::Random;
+
+type Fault = Box<dyn Error + Send + Sync>;
+type Outcome = Result<(), Fault>;
+
+const FAST: Tier = Tier::ClosedForm(Kernel::Fast);
+const EXACT: Tier = Tier::ClosedForm(Kernel::Exact);
+
+/// A unit vector above the horizon; its height over it is even in its logarithm down to 1e-6, or in itself.
+fn direction(random: &mut Random) -> [f32; 3] {
+    let z = if random.pick([true, false]) { random.between(1e-6, 1.0) } else { random.unit() };
+    let (radius, azimuth) = (((1.0 - z) * (1.0 + z)).sqrt(), std::f64::consts::TAU * random.unit());
+    [radius * azimuth.cos(), radius * azimuth.sin(), z].map(|value| value as f32)
+}
+
+/// Slope deviations from 0.05 to 1.5 and correlations up to 0.9.
+fn covariance(random: &mut Random) -> [f32; 3] {
+    let [x, y] = [random.between(0.05, 1.5), random.between(0.05, 1.5)];
+    let correlation = 0.9 * (2.0 * random.unit() - 1.0);
+    [x * x, correlation * x * y, y * y].map(|value| value as f32)
+}
+
+/// A call of `NAME_height` with its sum of Λ.
+struct Call {
+    numbers: [f32; 11],
+    /// Λ of view and light.
+    parts: [f64; 2],
+    lambda: f64,
+}
+
+/// Λ of a direction by its definition: the quadrature over slopes.
+fn lambda(direction: [f32; 3], covariance: [f32; 3]) -> f64 {
+    Along::new(direction.map(f64::from), covariance.map(f64::from), [0.0; 2]).lambda()
+}
+
+impl Call {
+    fn new(mean: f32, deviation: f32, [xx, xy, yy]: [f32; 3], view: [f32; 3], light: [f32; 3]) -> Self {
+        let parts = [view, light].map(|direction| lambda(direction, [xx, xy, yy]));
+        let ([a, b, c], [d, e, f]) = (view, light);
+        Self { numbers: [mean, deviation, xx, xy, yy, a, b, c, d, e, f], parts, lambda: parts[0] + parts[1] }
+    }
+
+    /// The same where nothing casts shadows.
+    fn unlit(self) -> Self {
+        Self { lambda: self.parts[0], ..self }
+    }
+
+    /// The same with visibilities that are correlated by their azimuths.
+    fn hot(self) -> Self {
+        let direction = |at: usize| [0, 1, 2].map(|axis| f64::from(self.numbers[at + axis]));
+        let independence = independence(azimuth(direction(5), direction(8)));
+        let [seen, lit] = self.parts;
+        Self { lambda: seen.max(lit) + independence * seen.min(lit), ..self }
+    }
+}
+
+/// Calls within ranges from a deviation on: heights about the map's knots and anywhere, Λ up to 1e4.
+fn calls(random: &mut Random, map: &ColorMap, ranges: Ranges, floor: f32, count: usize) -> Vec<Call> {
+    let (low, high) = ranges.mean;
+    let mut calls = Vec::new();
+    while calls.len() < count {
+        let deviation = random.between(floor.into(), ranges.deviation.into());
+        let knot = f64::from(map.knots()[random.word() as usize % map.knots().len()].position);
+        let at = match random.word() % 3 {
+            0 => f64::from(low) + random.unit() * f64::from(high - low),
+            _ => knot - deviation * (8.0 * random.unit() - 2.5),
+        };
+        let (deviation, at) = ((deviation as f32).min(ranges.deviation), at as f32);
+        let call = Call::new(at, deviation, covariance(random), direction(random), direction(random));
+        if (low..=high).contains(&at) && deviation >= floor && call.lambda <= 1e4 {
+            calls.push(call);
+        }
+    }
+    calls
+}
+
+/// The largest error of a scene's colors, which stay in the map's hull.
+fn error(device: &Device, scene: &Scene, calls: &[Call]) -> Result<f64, Fault> {
+    let (module, map) = (scene.module()?, scene.map().ok_or("no map")?);
+    let export = &module.exports()[0];
+    // Where nothing casts shadows there is no light.
+    let width = if export.signature.contains("light") { 11 } else { 8 };
+    let numbers: Vec<f32> = calls.iter().flat_map(|call| call.numbers[..width].to_vec()).collect();
+    let colors = ExportKernel::new(device, &module, export)?.run(&numbers)?;
+    let (reference, (low, high)) = (map.reference(), map.hull());
+    assert!(!colors.is_empty() && colors.len() == calls.len());
+    let halves = if module.tables().is_empty() { 0.0 } else { 5e-4 };
+    let mut worst = 0.0f64;
+    for (color, call) in colors.iter().zip(calls) {
+        let truth = mean(&reference, call.numbers[0].into(), call.numbers[1].into(), call.lambda);
+        for channel in 0..map.channels() {
+            let slack = halves * high[channel].abs().max(low[channel].abs());
+            let hull = low[channel] - slack..=high[channel] + slack;
+            assert!(hull.contains(&color[channel]), "{color:?} leaves the hull at {:?}", call.numbers);
+            worst = worst.max((f64::from(color[channel]) - truth[channel]).abs());
+        }
+    }
+    Ok(worst)
+}

@@ -1,0 +1,81 @@
+//! What a module says of itself: the tier, its bound, its cost, and what the bound does not cover.
+
+use std::fmt::Write;
+
+use super::candidate::Candidate;
+use super::Scene;
+use crate::accuracy::{Bound, Ranges};
+use crate::filter::height::{self, HeightTier};
+use crate::transfer::color_map::ColorMap;
+
+impl Scene {
+    pub(super) fn explain(&self, chosen: &Candidate, passed: &[Candidate]) -> String {
+        let Ranges { mean: (low, high), deviation } = self.chosen_ranges();
+        let what = if chosen.height.is_some() { "height (Ch)" } else { "texture (C0)" };
+        let mut text = format!("{}: {what} by {}\n", self.name, chosen.label);
+        let _ = writeln!(text, "  error   {}", described(chosen));
+        if let (Some(tier), Some(map)) = (chosen.height, self.map()) {
+            let _ = writeln!(text, "  covers  {}", self.covered(tier, map));
+        }
+        let _ = writeln!(text, "  cost    {} a call", chosen.cost);
+        let _ = writeln!(text, "  ranges  means {low} to {high}, deviations to {deviation}");
+        let _ = writeln!(text, "  chosen  {}", self.reason(chosen));
+        for other in passed {
+            let _ = writeln!(text, "  passed  {}: error {}; {}", other.label, described(other), other.cost);
+        }
+        let gap = match (chosen.height, self.driver) {
+            (Some(_), _) => height::gap(self.microsurface),
+            (None, Some(driver)) => driver.gap(),
+            (None, None) => UNDRIVEN.to_owned(),
+        };
+        let _ = writeln!(text, "  not in the error: {gap}");
+        text
+    }
+
+    /// What the bound of a tier of heights is made of, and the Λ and deviations that it holds for.
+    fn covered(&self, tier: HeightTier, map: &ColorMap) -> String {
+        let floor = height::floor(tier, self.chosen_ranges());
+        let (step, variation) = (height::step_error(tier), height::variation(map));
+        let reach =
+            if tier == HeightTier::Exact { "any Λ" } else { "Λ of view and light that add up to 1e4 at most" };
+        format!(
+            "{reach}, deviations from {floor:.1e}: a step errs by {step:.1e}, times the total variation {variation:.3}"
+        )
+    }
+
+    fn reason(&self, chosen: &Candidate) -> String {
+        let named = "the scene names ";
+        let free = match (chosen.height, self.tier, self.height_tier) {
+            (None, Some(_), _) | (Some(_), Some(_), Some(_)) | (_, _, Some(HeightTier::Exact)) => {
+                return named.to_owned() + "this tier";
+            }
+            (Some(_), None, Some(_)) => named.to_owned() + "the tier of heights; that of the color map is ",
+            _ => String::new(),
+        };
+        let budget = self.accuracy.unwrap_or_default().max_filter_error;
+        if chosen.judged <= budget {
+            format!("{free}the lightest within {budget:.1e}")
+        } else {
+            format!(
+                "{free}the lightest near the closest; none is within {budget:.1e}, and the scene asks for no accuracy"
+            )
+        }
+    }
+}
+
+/// What the bound of a filter without a driver does not cover.
+const UNDRIVEN: &str = "how far a pixel's values are from a normal distribution of that mean and deviation";
+
+fn described(candidate: &Candidate) -> String {
+    let filter = &candidate.filter;
+    match (candidate.height, filter.bound, filter.tables.first()) {
+        (None, Bound::Estimated(bound), Some(table)) => {
+            format!("{bound:.1e}, estimated: twice the {:.1e} measured between texels", table.error)
+        }
+        (Some(_), Bound::Estimated(bound), Some(table)) => {
+            format!("{bound:.1e}, estimated: with twice the {:.1e} measured between texels", table.error)
+        }
+        (None, bound, _) => format!("{:.1e}, guaranteed by the shelf's contracts", bound.value()),
+        (Some(_), bound, _) => format!("{:.1e}, guaranteed by the shelf's contracts and step errors", bound.value()),
+    }
+}
