@@ -2,6 +2,7 @@
 
 mod extremes;
 mod figures;
+mod scenes;
 mod visibility;
 
 use std::error::Error;

@@ -1,0 +1,122 @@
+//! Scenes of heights: what they export, choose, leave out and refuse. No device.
+
+use prefilter::{
+    Accuracy, Bound, ColorMap, Colors, Driver, Error, HeightTier, Kernel, Microsurface, Moments, Scene, Tier,
+};
+use spirv_tests::maps::named;
+
+use crate::{Outcome, EXACT, FAST};
+
+fn signatures(scene: &Scene) -> Result<Vec<String>, Error> {
+    Ok(scene.module()?.exports().iter().map(|export| export.signature.clone()).collect())
+}
+
+#[test]
+fn what_is_off_leaves_no_trace() -> Outcome {
+    let scene = Scene::new("moss").height(named("terrain")?).tier(FAST).height_tier(HeightTier::Gaussian);
+    let surface = Microsurface::default();
+    let height = "fn moss_height(mean: f32, deviation: f32, slope_covariance: vec3f, view: vec3f";
+    let lit = "fn moss_visibility(slope_covariance: vec3f, view: vec3f, light: vec3f) -> f32";
+    assert_eq!(signatures(&scene)?, [&format!("{height}, light: vec3f) -> vec3f"), lit]);
+    let text = scene.module()?.wgsl().to_owned();
+    assert!(!text.contains("visibility_masking") && !text.contains("visibility_independence"));
+    let dark = scene.clone().microsurface(Microsurface { shadowing: false, ..surface });
+    assert_eq!(signatures(&dark)?, [format!("{height}) -> vec3f")]);
+    let text = dark.module()?.wgsl().to_owned();
+    assert!(!text.contains("light") && !text.contains("fn visibility_"), "{text}");
+    let masked = scene.clone().microsurface(Microsurface { shadowing: false, masking: true, ..surface });
+    assert_eq!(signatures(&masked)?[1], "fn moss_masking(slope_covariance: vec3f, view: vec3f) -> f32");
+    let hot = scene.microsurface(Microsurface { hotspot: true, ..surface }).module()?;
+    assert_eq!(hot.wgsl().matches("visibility_independence(view, light)").count(), 2);
+    Ok(())
+}
+
+#[test]
+fn the_accuracy_chooses_among_tiers_of_heights() -> Outcome {
+    let rock = |error: f32| Scene::new("rock").accuracy(Accuracy::max_filter_error(error).without_tables());
+    for (error, tier) in [(0.5, "one normal distribution"), (3e-2, "two normal distributions")] {
+        let module = rock(error).height(named("terrain")?).module()?;
+        assert!(module.bound().value() <= error && module.tables().is_empty());
+        assert!(module.explain().starts_with(&format!("rock: height (Ch) by {tier} over")), "{}", module.explain());
+    }
+    let bands = rock(1e-4).height(named("steps6")?).module()?;
+    assert!(matches!(bands.bound(), Bound::Guaranteed(bound) if bound <= 1e-4), "{}", bands.explain());
+    let refused = rock(1e-3).height(named("terrain")?).module();
+    assert!(matches!(refused, Err(Error::Accuracy { .. })));
+    // Whoever asks for none takes what there is.
+    let default = Scene::new("rock").height(named("terrain")?).module()?;
+    assert!(default.explain().contains("the lightest near the closest; none is within 3.9e-3"));
+    // A tier of heights that is named leaves the color map's to the accuracy.
+    let named_tier = rock(1e-4).height(named("terrain")?).height_tier(HeightTier::Gaussian).module()?;
+    assert!(named_tier.explain().contains("over the closed form with the exact kernel"), "{}", named_tier.explain());
+    Ok(())
+}
+
+#[test]
+fn a_bound_is_the_step_error_times_the_variation() -> Outcome {
+    let gray = |top: f32| ColorMap::gradient([(0.0, [0.2; 3]), (0.4, [top; 3]), (1.0, [0.2; 3])]);
+    let bound = |top: f32| {
+        let scene = Scene::new("rock").height(gray(top)?).height_tier(HeightTier::Mixture).tier(EXACT);
+        Ok::<_, Error>(scene.module()?.bound().value())
+    };
+    for (top, variation) in [(0.7, 1.0), (0.3, 0.2)] {
+        let found = bound(top)?;
+        assert!((found / variation - 9.14e-3).abs() < 2e-5, "{found}");
+    }
+    let module = Scene::new("rock").height(gray(0.7)?).module()?;
+    assert!(module.explain().contains("times the total variation 1.000"), "{}", module.explain());
+    // No color leaves the hull, whatever the steps.
+    let map = ColorMap::bands([0.0; 3], (0..9).map(|at| (0.1 * at as f32, [[1.0; 3], [0.0; 3]][at % 2])))?;
+    let paper = Scene::new("rock").height(map).height_tier(HeightTier::Paper).tier(FAST).module()?;
+    assert_eq!(paper.bound(), Bound::Guaranteed(1.0));
+    Ok(())
+}
+
+/// Materials that differ only in their maps share a text.
+#[test]
+fn dynamic_colors_share_a_text() -> Outcome {
+    let module = |name: &str| {
+        let scene = Scene::new("rock").height(named(name)?).colors(Colors::Dynamic).tier(EXACT);
+        Ok::<_, crate::Fault>(scene.height_tier(HeightTier::Mixture).module()?)
+    };
+    let (one, other) = (module("terrain")?, module("steps6")?);
+    assert_eq!(one.wgsl(), other.wgsl());
+    assert_ne!(one.tables(), other.tables());
+    assert!(one.exports()[0].signature.ends_with("light: vec3f, knots: texture_2d<f32>) -> vec3f"));
+    Ok(())
+}
+
+#[test]
+fn scenes_that_cannot_be_are_refused() -> Outcome {
+    let scene = |name: &str| Ok::<_, crate::Fault>(Scene::new("rock").height(named(name)?));
+    let conflict = |scene: Scene| match scene.module() {
+        Err(Error::Conflict(message)) => message,
+        other => format!("no conflict: {:?}", other.map(|module| module.explain().to_owned())),
+    };
+    let graded = conflict(scene("terrain")?.height_tier(HeightTier::Exact));
+    assert!(graded.contains("not this map, which has gradients"), "{graded}");
+    let dynamic = conflict(scene("steps6")?.height_tier(HeightTier::Exact).colors(Colors::Dynamic));
+    assert!(dynamic.contains("not dynamic colors"), "{dynamic}");
+    let over = conflict(scene("steps6")?.height_tier(HeightTier::Exact).tier(Tier::ClosedForm(Kernel::Fast)));
+    assert!(over.contains("leave out the tier"), "{over}");
+    let both = conflict(scene("steps6")?.texture(named("terrain")?));
+    assert!(both.contains("has a `texture` and a `height`"), "{both}");
+    let driven = conflict(scene("steps6")?.driver(Driver::Moments(Moments::default())));
+    assert!(driven.contains("a driver goes with a `texture`"), "{driven}");
+    let fast = scene("terrain")?.colors(Colors::Dynamic).tier(FAST).height_tier(HeightTier::Mixture);
+    assert!(conflict(fast).contains("needs constant colors"));
+    Ok(())
+}
+
+/// Scenes stored before there were heights still load.
+#[test]
+fn older_files_load() -> Outcome {
+    let scene = Scene::new("rock").texture(named("terrain")?).accuracy(Accuracy::max_filter_error(1e-3));
+    let mut file = serde_json::to_value(&scene)?;
+    let fields = file.as_object_mut().ok_or("an object")?;
+    for new in ["height", "microsurface", "height_tier"] {
+        assert!(fields.remove(new).is_some(), "{new}");
+    }
+    assert_eq!(serde_json::from_value::<Scene>(file)?, scene);
+    Ok(())
+}
