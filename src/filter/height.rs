@@ -123,9 +123,7 @@ pub(crate) fn step_error(tier: HeightTier) -> f64 {
 
 /// The most that a channel rises and falls from the first to the last knot.
 pub(crate) fn variation(map: &ColorMap) -> f64 {
-    let change = |channel: usize, from: [f32; 4], to: [f32; 4]| {
-        (f64::from(to[channel]) - f64::from(from[channel])).abs() //
-    };
+    let change = |at: usize, from: [f32; 4], to: [f32; 4]| (f64::from(to[at]) - f64::from(from[at])).abs();
     let of = |channel: usize| {
         let edges = map.knots().iter().map(|knot| change(channel, knot.left, knot.right));
         let segments = map.knots().windows(2).map(|pair| change(channel, pair[0].right, pair[1].left));
@@ -143,10 +141,7 @@ pub(crate) fn over(
     name: &str,
     arguments: &str,
 ) -> Filter {
-    let at = |mean: &str, deviation: &str| {
-        format!("{name}_texture(mean + s * {mean}, s * {deviation}{arguments})")
-        //
-    };
+    let at = |mean: &str, width: &str| format!("{name}_texture(mean + s * {mean}, s * {width}{arguments})");
     let moments = |function: &str| {
         format!("    let visible = {function}(seen + lit);\n    return {};\n", at("visible.x", "visible.y"))
     };
