@@ -5,6 +5,7 @@ pub mod contract;
 pub mod demo;
 pub mod exports;
 pub mod fill;
+pub mod gap;
 pub mod harness;
 pub mod judged;
 pub mod kernel;

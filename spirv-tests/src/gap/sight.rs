@@ -1,0 +1,107 @@
+//! What of a height field is in sight along its rows, exactly, on the profile of straight segments between nodes.
+
+use super::field::Field;
+use super::histogram::Histogram;
+use std::f64::consts::SQRT_2;
+
+/// A visibility parameter so large that all is in sight and every part counts by its length.
+pub const OVERHEAD: f64 = 1e7;
+
+/// Sums over the parts of a field that are in sight.
+#[derive(Clone, Debug, Default)]
+pub struct Sight {
+    /// The heights in sight, by projected area.
+    pub heights: Histogram,
+    /// The length on the ground of the segments that face the viewer.
+    pub facing: f64,
+    /// The length on the ground of what is in sight.
+    pub visible: f64,
+    /// The projected area of the segments that face the viewer, hidden or not.
+    pub facing_area: f64,
+    /// The projected area of the ground.
+    pub ground_area: f64,
+}
+
+impl Sight {
+    /// The field seen from the far end of its rows. Only the parameter a = cot θ / (√2 σ_s) matters: stretching the
+    /// heights stretches the slopes of surface and ray alike.
+    pub fn along_rows(field: &Field, parameter: f64) -> Self {
+        let ray = SQRT_2 * parameter * field.slope_deviation();
+        let mut sight = Self::default();
+        field.rows().for_each(|row| sight.add_row(row, ray));
+        sight
+    }
+
+    /// Relative to the ray through a node, others sink by `ray` a texel ahead: those that still stand higher hide it.
+    fn add_row(&mut self, row: &[f64], ray: f64) {
+        let count = row.len();
+        let lifted = |index: usize| row[index] - ray * index as f64;
+        // Ahead of the row lies the next period, lower by a whole row of rays.
+        let period = ray * count as f64;
+        let mut horizon = (0..count).map(lifted).fold(f64::NEG_INFINITY, f64::max) - period;
+        for index in (0..count).rev() {
+            let (from, to) = (row[index], row[(index + 1) % count]);
+            let drop = from - to + ray;
+            if drop > 0.0 {
+                self.facing += 1.0;
+                self.facing_area += drop;
+            }
+            let area = lifted(index) - horizon;
+            if area > 0.0 {
+                let share = (area / drop).min(1.0);
+                self.visible += share;
+                self.heights.add_ramp(from, from + share * (to - from), area);
+                horizon = lifted(index);
+            }
+        }
+        self.ground_area += period;
+    }
+
+    /// Adds the sums of another field.
+    pub fn add(&mut self, other: &Self) {
+        self.heights.add(&other.heights);
+        self.facing += other.facing;
+        self.visible += other.visible;
+        self.facing_area += other.facing_area;
+        self.ground_area += other.ground_area;
+    }
+}
+
+/// A node as a distant viewer finds it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Node {
+    /// It lies on a slope that faces away.
+    Averted,
+    /// It faces the viewer but others hide it.
+    Hidden,
+    /// It is in sight.
+    Visible,
+}
+
+/// The nodes as seen from the far end of their rows, or from the near end.
+pub fn nodes(field: &Field, parameter: f64, from_near_end: bool) -> Vec<Node> {
+    let ray = SQRT_2 * parameter * field.slope_deviation();
+    let mut nodes = Vec::with_capacity(field.heights.len());
+    for row in field.rows() {
+        let count = row.len();
+        let at = |step: usize| if from_near_end { row[step % count] } else { row[count - 1 - step % count] };
+        // Steps lead away from the viewer: hidden is what lies below the rays over the nodes before.
+        let lifted = |step: usize| at(step) + ray * step as f64;
+        let mut horizon = (0..count).map(lifted).fold(f64::NEG_INFINITY, f64::max) - ray * count as f64;
+        let start = nodes.len();
+        for step in 0..count {
+            nodes.push(if at(step) + ray <= at(step + count - 1) {
+                Node::Averted
+            } else if lifted(step) <= horizon {
+                Node::Hidden
+            } else {
+                Node::Visible
+            });
+            horizon = horizon.max(lifted(step));
+        }
+        if !from_near_end {
+            nodes[start..].reverse();
+        }
+    }
+    nodes
+}
