@@ -89,6 +89,23 @@ impl Field {
         turned
     }
 
+    /// The field on the lines midway between its rows, where the surface of bilinear cells is straight between nodes.
+    pub fn between_rows(&self) -> Self {
+        let next = self.heights.iter().cycle().skip(self.size);
+        let heights = self.heights.iter().zip(next).map(|(height, next)| 0.5 * (height + next)).collect();
+        Self { size: self.size, heights }
+    }
+
+    /// The heights in the middle of the segments between neighbors in a row.
+    pub fn middles(&self) -> impl Iterator<Item = f64> + '_ {
+        self.rows().flat_map(|row| row.iter().zip(row.iter().cycle().skip(1)).map(|(one, next)| 0.5 * (one + next)))
+    }
+
+    /// The slopes of those segments, a texel.
+    pub fn slopes(&self) -> impl Iterator<Item = f64> + '_ {
+        self.rows().flat_map(|row| row.iter().zip(row.iter().cycle().skip(1)).map(|(one, next)| next - one))
+    }
+
     /// The rows.
     pub fn rows(&self) -> impl Iterator<Item = &[f64]> {
         self.heights.chunks_exact(self.size)
@@ -96,11 +113,7 @@ impl Field {
 
     /// The deviation of the slopes of the segments between neighbors in a row, a texel.
     pub fn slope_deviation(&self) -> f64 {
-        let squares = |row: &[f64]| -> f64 {
-            let next = row.iter().cycle().skip(1);
-            row.iter().zip(next).map(|(height, next)| (next - height).powi(2)).sum()
-        };
-        (self.rows().map(squares).sum::<f64>() / self.heights.len() as f64).sqrt()
+        (self.slopes().map(|slope| slope * slope).sum::<f64>() / self.heights.len() as f64).sqrt()
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::field::{transpose, Field};
 use super::histogram::Histogram;
-use super::sight::{nodes, Node};
+use super::sight::{middles, Point};
 use std::f64::consts::SQRT_2;
 
 /// Visibility parameters of views and lights: deviation of slopes 0.7 at 50, 70, 80 and 85 degrees from the normal.
@@ -23,7 +23,7 @@ pub struct Lit {
     pub lit: [Histogram; LIGHTS],
 }
 
-/// Sums over nodes of fields, for every view; all heights, to take off what chance made of them.
+/// Sums over the cells of fields, for every view; all heights, to take off what chance made of them.
 #[derive(Clone, Debug, Default)]
 pub struct Lighting {
     /// One a view, in the order of [`PARAMETERS`].
@@ -33,20 +33,24 @@ pub struct Lighting {
 }
 
 impl Lighting {
-    /// A field seen from the far end of its rows.
+    /// A field seen from the far end of its rows, at the middles of its bilinear cells: there slopes and horizons
+    /// along rows and along columns are those of straight segments.
     pub fn along_rows(field: &Field) -> Self {
-        let lights = lights(field);
+        let [rows, columns] = [field.between_rows(), field.turned().between_rows()];
+        let lights = lights(&rows, &columns);
+        // Middles of cells lie closer together than nodes.
+        let deviation = (rows.middles().map(|height| height * height).sum::<f64>() / lights.len() as f64).sqrt();
+        let heights: Vec<f64> = rows.middles().map(|height| height / deviation).collect();
         let mut lighting = Self::default();
-        field.heights.iter().for_each(|height| lighting.all.add_height(*height, 1.0));
+        heights.iter().for_each(|height| lighting.all.add_height(*height, 1.0));
         for (index, (parameter, lit)) in PARAMETERS.into_iter().zip(&mut lighting.views).enumerate() {
-            let ray = SQRT_2 * parameter * field.slope_deviation();
-            let slopes = field.rows().flat_map(slopes);
-            for ((height, slope), mask) in field.heights.iter().zip(slopes).zip(&lights) {
+            let ray = SQRT_2 * parameter * rows.slope_deviation();
+            for ((height, slope), mask) in heights.iter().zip(rows.slopes()).zip(&lights) {
                 // The view is the light of its own parameter at its own azimuth.
-                let area = (ray - slope).max(0.0);
-                if mask.lit & (1 << index) == 0 || area == 0.0 {
+                if mask.lit & (1 << index) == 0 {
                     continue;
                 }
+                let area = ray - slope;
                 for light in 0..LIGHTS {
                     let bit = 1 << light;
                     if mask.facing & bit != 0 {
@@ -78,28 +82,21 @@ struct Mask {
     lit: u16,
 }
 
-/// Which lights every node faces, and which reach it.
-fn lights(field: &Field) -> Vec<Mask> {
-    let turned = field.turned();
-    let mut masks = vec![Mask::default(); field.heights.len()];
+/// Which lights the middle of every cell faces, and which reach it.
+fn lights(rows: &Field, columns: &Field) -> Vec<Mask> {
+    let mut masks = vec![Mask::default(); rows.heights.len()];
     for (azimuth, degrees) in AZIMUTHS.into_iter().enumerate() {
         for (index, parameter) in PARAMETERS.into_iter().enumerate() {
-            let mut nodes = nodes(if degrees == 90 { &turned } else { field }, parameter, degrees == 180);
+            let mut points = middles(if degrees == 90 { columns } else { rows }, parameter, degrees == 180);
             if degrees == 90 {
-                transpose(&mut nodes, field.size);
+                transpose(&mut points, rows.size);
             }
             let bit = azimuth * PARAMETERS.len() + index;
-            for (mask, node) in masks.iter_mut().zip(nodes) {
-                mask.facing |= u16::from(node != Node::Averted) << bit;
-                mask.lit |= u16::from(node == Node::Visible) << bit;
+            for (mask, point) in masks.iter_mut().zip(points) {
+                mask.facing |= u16::from(point != Point::Averted) << bit;
+                mask.lit |= u16::from(point == Point::Visible) << bit;
             }
         }
     }
     masks
-}
-
-/// The slopes at the nodes of a row, from their neighbors on both sides.
-fn slopes(row: &[f64]) -> impl Iterator<Item = f64> + '_ {
-    let count = row.len();
-    (0..count).map(move |index| 0.5 * (row[(index + 1) % count] - row[(index + count - 1) % count]))
 }

@@ -67,9 +67,9 @@ impl Sight {
     }
 }
 
-/// A node as a distant viewer finds it.
+/// A point as a distant viewer finds it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Node {
+pub enum Point {
     /// It lies on a slope that faces away.
     Averted,
     /// It faces the viewer but others hide it.
@@ -78,30 +78,29 @@ pub enum Node {
     Visible,
 }
 
-/// The nodes as seen from the far end of their rows, or from the near end.
-pub fn nodes(field: &Field, parameter: f64, from_near_end: bool) -> Vec<Node> {
+/// The middles of the segments as seen from the far end of their rows, or from the near end.
+pub fn middles(field: &Field, parameter: f64, from_near_end: bool) -> Vec<Point> {
     let ray = SQRT_2 * parameter * field.slope_deviation();
-    let mut nodes = Vec::with_capacity(field.heights.len());
+    let mut points = Vec::with_capacity(field.heights.len());
     for row in field.rows() {
         let count = row.len();
-        let at = |step: usize| if from_near_end { row[step % count] } else { row[count - 1 - step % count] };
+        let at = |step: usize| row[if from_near_end { step } else { count - step } % count];
         // Steps lead away from the viewer: hidden is what lies below the rays over the nodes before.
         let lifted = |step: usize| at(step) + ray * step as f64;
-        let mut horizon = (0..count).map(lifted).fold(f64::NEG_INFINITY, f64::max) - ray * count as f64;
-        let start = nodes.len();
-        for step in 0..count {
-            nodes.push(if at(step) + ray <= at(step + count - 1) {
-                Node::Averted
-            } else if lifted(step) <= horizon {
-                Node::Hidden
-            } else {
-                Node::Visible
+        let mut horizon = (1..=count).map(lifted).fold(f64::NEG_INFINITY, f64::max) - ray * count as f64;
+        let start = points.len();
+        for step in 1..=count {
+            let (before, after) = (lifted(step - 1), lifted(step));
+            points.push(match after > before {
+                false => Point::Averted,
+                true if 0.5 * (before + after) <= horizon => Point::Hidden,
+                true => Point::Visible,
             });
-            horizon = horizon.max(lifted(step));
+            horizon = horizon.max(after);
         }
         if !from_near_end {
-            nodes[start..].reverse();
+            points[start..].reverse();
         }
     }
-    nodes
+    points
 }
