@@ -1,6 +1,12 @@
-//! Figures that the README and `Module::explain` quote are those of `docs/demo.csv`, which the demo wrote.
+//! Figures that the README and `Module::explain` quote are those of the tables in `docs`, which the demo and
+//! `visibility_gap` wrote.
 
-use prefilter::{ColorMap, Driver, Moments, Scene, Taps};
+use std::collections::BTreeMap;
+
+use prefilter::{ColorMap, Driver, Microsurface, Moments, Scene, Taps};
+
+/// A line of a table by its columns.
+type Row<'a> = BTreeMap<&'a str, &'a str>;
 
 type Outcome = Result<(), Box<dyn std::error::Error + Send + Sync>>;
 
@@ -58,6 +64,47 @@ fn the_readme_quotes_the_table() -> Outcome {
             row += &format!(" {rms:.3} | {samples:.0} | {shimmer:.3} | {milliseconds:.1} |");
         }
         assert!(README.lines().any(|line| line == row), "the README lacks {row}");
+    }
+    Ok(())
+}
+
+/// The columns of a table by their names, row by row.
+fn rows(table: &str) -> Vec<Row<'_>> {
+    let names: Vec<&str> = table.lines().next().unwrap_or("").split(',').collect();
+    table.lines().skip(1).map(|line| names.iter().copied().zip(line.split(',')).collect()).collect()
+}
+
+/// The largest difference of two columns, or of one from 0, over the rows that hold both and pass.
+fn largest(rows: &[Row<'_>], column: &str, other: Option<&str>, pass: impl Fn(&Row<'_>) -> bool) -> f64 {
+    let number = |row: &Row<'_>, name: &str| row[name].parse::<f64>().ok();
+    let difference = |row| Some((number(row, column)? - other.map_or(Some(0.0), |other| number(row, other))?).abs());
+    rows.iter().filter(|row| pass(row)).filter_map(difference).fold(f64::NAN, f64::max)
+}
+
+#[test]
+fn modules_quote_the_gap_of_visibility() -> Outcome {
+    let sight = rows(include_str!("../../docs/visibility_gap.csv"));
+    let light = rows(include_str!("../../docs/shadowing_gap.csv"));
+    let map = ColorMap::gradient([(0.0, [0.0; 3]), (1.0, [1.0; 3])])?;
+    for (hotspot, column) in [(false, "sum"), (true, "corrected")] {
+        let surface = Microsurface { hotspot, ..Microsurface::default() };
+        let module = Scene::new("quoting").height(map.clone()).microsurface(surface).module()?;
+        let near = |row: &Row<'_>| row["azimuth"] == "0";
+        let (step, lit) = (format!("step_{column}"), format!("lit_{column}"));
+        let quoted = [
+            format!(
+                "up to {:.2} with a Gaussian",
+                largest(&sight, "step_model", None, |row| row["spectrum"] == "gaussian")
+            ),
+            format!("{:.2} with others", largest(&sight, "step_model", None, |_| true)),
+            format!("up to {:.2}, near", largest(&light, &step, None, |row| !near(row))),
+            format!("near the view {:.2}, and", largest(&light, &step, None, near)),
+            format!("lit by {:.2}", largest(&light, &lit, Some("lit"), |row| !near(row))),
+            format!("near the view {:.2}\n", largest(&light, &lit, Some("lit"), near)),
+        ];
+        for quoted in quoted {
+            assert!(module.explain().contains(&quoted), "{quoted} is not in {}", module.explain());
+        }
     }
     Ok(())
 }
