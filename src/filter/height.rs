@@ -159,15 +159,10 @@ pub(crate) fn over(
     let sum = (variation(map) * step_error(tier)) as f32 + texture.bound.value();
     let bound = match texture.bound {
         // Neither the color nor the integral leaves the hull.
-        Bound::Guaranteed(_) => Bound::Guaranteed(sum.min(width(map))),
+        Bound::Guaranteed(_) => Bound::Guaranteed(sum.min(map.widest_span())),
         Bound::Estimated(_) => Bound::Estimated(sum),
     };
     Filter { body, tables: texture.tables.clone(), bound, trips: texture.trips }
-}
-
-fn width(map: &ColorMap) -> f32 {
-    let (low, high) = map.hull();
-    low.iter().zip(high).map(|(low, high)| high - low).fold(0.0, f32::max)
 }
 
 /// The filter of bands by the distribution itself: a probability an edge.

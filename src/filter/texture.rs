@@ -57,8 +57,7 @@ pub(crate) fn filter(map: &ColorMap, colors: Colors, tier: Tier, ranges: Ranges)
 fn pieces(map: &ColorMap, kernel: Kernel, ranges: Ranges) -> Pieces {
     let span = f64::from(ranges.mean.1) - f64::from(ranges.mean.0);
     let narrow = NARROW * span.max(3.0 * f64::from(ranges.deviation));
-    let (low, high) = map.hull();
-    let hull: [f64; 4] = std::array::from_fn(|channel| f64::from(high[channel]) - f64::from(low[channel]));
+    let hull = map.spans();
     let unit = scale(map, ranges);
     Pieces::new(map, |width, rise| {
         let steep = rise.iter().zip(hull).any(|(rise, hull)| rise.abs() * unit > STEEP * hull * width);
@@ -128,8 +127,7 @@ fn naive(map: &ColorMap, ranges: Ranges) -> Filter {
 /// A map turns a normal variable's mean distance from its mean, σ√(2/π), into at most its steepest slope times that,
 /// and never leaves its hull; the rest is rounding.
 fn naive_bound(map: &ColorMap, pieces: &Pieces, ranges: Ranges) -> Bound {
-    let (low, high) = map.hull();
-    let width = low.iter().zip(high).map(|(low, high)| high - low).fold(0.0, f32::max);
+    let width = map.widest_span();
     let jumps = map.knots().iter().any(|knot| knot.left != knot.right);
     let steepest = map.knots().windows(2).map(|pair| {
         let rise = pair[0].right.iter().zip(pair[1].left).map(|(from, to)| (to - from).abs()).fold(0.0, f32::max);

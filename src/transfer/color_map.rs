@@ -192,6 +192,17 @@ impl ColorMap {
         (fold(f32::INFINITY, f32::min), fold(f32::NEG_INFINITY, f32::max))
     }
 
+    /// How far apart the hull's ends are in each channel.
+    pub(crate) fn spans(&self) -> [f64; 4] {
+        let (low, high) = self.hull();
+        std::array::from_fn(|channel| f64::from(high[channel]) - f64::from(low[channel]))
+    }
+
+    /// The largest of the hull's spans: no two colors of the map differ by more in any channel.
+    pub(crate) fn widest_span(&self) -> f32 {
+        self.spans().into_iter().fold(0.0, f64::max) as f32
+    }
+
     /// The same map for the f64 reference.
     pub fn reference(&self) -> PiecewiseLinear {
         let wide = |color: [f32; 4]| color.map(f64::from);

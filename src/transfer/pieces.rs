@@ -149,10 +149,9 @@ pub(crate) const ROUNDING: f64 = 1.0 / 16_777_216.0;
 
 /// The slope of each channel that is left out: [`RESIDUE`] hulls over the length of the map.
 fn residue(map: &ColorMap) -> [f64; 4] {
-    let (low, high) = map.hull();
     let knots = map.knots();
     let length = f64::from(knots[knots.len() - 1].position) - f64::from(knots[0].position);
-    std::array::from_fn(|channel| RESIDUE * (f64::from(high[channel]) - f64::from(low[channel])) / length)
+    map.spans().map(|span| RESIDUE * span / length)
 }
 
 /// The part of a map's hull that left out slopes may add up to from its first to its last knot.

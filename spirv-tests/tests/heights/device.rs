@@ -143,9 +143,8 @@ fn perturbed_heights_have_the_cumulants_of_the_convolution() -> Outcome {
     let mut points: Vec<Vec<f64>> =
         NORMAL.iter().map(|&[lambda, noise, _]| f32s([lambda, 0.0, 1.0, 0.0, noise])).collect();
     for lambda in lambdas(1e-2, 1e4, 60) {
-        points.extend([[0.3, 0.8, -0.2, 0.4], [-1.1, 0.05, 0.7, 0.02], [0.0, 2.0, 0.1, 0.0]].map(|[a, b, c, d]| {
-            f32s([lambda, a, b, c, d]) //
-        }));
+        let placed = [[0.3, 0.8, -0.2, 0.4], [-1.1, 0.05, 0.7, 0.02], [0.0, 2.0, 0.1, 0.0]];
+        points.extend(placed.map(|[a, b, c, d]| f32s([lambda, a, b, c, d])));
     }
     let got = run(&asks(parameters, "vec3f", call), "asked", &points)?;
     for (point, got) in points.iter().zip(&got) {
