@@ -6,6 +6,7 @@ use std::fmt::Write;
 use super::Scene;
 use crate::accuracy::Ranges;
 use crate::cost::{self, Cost};
+use crate::filter::height::tier::texture_ranges;
 use crate::filter::height::{self, HeightTier};
 use crate::filter::texture::{color_type, filter, Filter};
 use crate::filter::{Kernel, Tier};
@@ -121,7 +122,7 @@ impl Scene {
             return Ok(candidates);
         }
         let (name, ranges) = (&self.name, self.chosen_ranges());
-        let below = height::texture_ranges(ranges);
+        let below = texture_ranges(ranges);
         for texture_tier in self.tiers() {
             let texture = filter(map, self.colors, texture_tier, below)?;
             let own = self.texture_glue(map, texture_tier, below, &texture);

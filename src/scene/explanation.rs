@@ -5,7 +5,7 @@ use std::fmt::Write;
 use super::candidate::Candidate;
 use super::Scene;
 use crate::accuracy::{Bound, Ranges};
-use crate::filter::height::{self, HeightTier};
+use crate::filter::height::{self, surface, tier, HeightTier};
 use crate::transfer::color_map::ColorMap;
 
 impl Scene {
@@ -24,7 +24,7 @@ impl Scene {
             let _ = writeln!(text, "  passed  {}: error {}; {}", other.label, described(other), other.cost);
         }
         let gap = match (chosen.height, self.driver) {
-            (Some(_), _) => height::gap(self.microsurface),
+            (Some(_), _) => surface::gap(self.microsurface),
             (None, Some(driver)) => driver.gap(),
             (None, None) => UNDRIVEN.to_owned(),
         };
@@ -34,8 +34,8 @@ impl Scene {
 
     /// What the bound of a tier of heights is made of, and the Λ and deviations that it holds for.
     fn covered(&self, tier: HeightTier, map: &ColorMap) -> String {
-        let floor = height::floor(tier, self.chosen_ranges());
-        let (step, variation) = (height::step_error(tier), height::variation(map));
+        let floor = tier::floor(tier, self.chosen_ranges());
+        let (step, variation) = (tier::step_error(tier), height::variation(map));
         let reach =
             if tier == HeightTier::Exact { "any Λ" } else { "Λ of view and light that add up to 1e4 at most" };
         format!(

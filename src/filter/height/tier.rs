@@ -1,0 +1,83 @@
+//! The ladder of representations of visible heights, with the step error of each.
+
+use crate::accuracy::Ranges;
+
+/// How the distribution of visible heights is represented: a ladder from the cheapest to the closest.
+///
+/// The step error is the largest difference of its cumulative function from that of D_h; times a map's total variation
+/// it bounds the error of any map.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum HeightTier {
+    /// A normal distribution of the paper's mean and deviation, to compare with. A step errs by up to 9.1e-2 for Λ up
+    /// to 100, and 0.48 up to 1e4.
+    Paper,
+    /// A normal distribution of the mean and deviation of D_h. 4.5e-2 for Λ up to 100, 5.8e-2 up to 1e4.
+    Gaussian,
+    /// Two normal distributions with the mean and deviation of D_h together: 6e-3 for Λ up to 100, 9e-3 up to 1e4.
+    /// Evaluates the color map twice.
+    Mixture,
+    /// D_h itself, for bands of constant colors: f32 rounding at any Λ.
+    Exact,
+}
+
+impl std::fmt::Display for HeightTier {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        formatter.write_str(match self {
+            Self::Paper => "the paper's fits",
+            Self::Gaussian => "one normal distribution",
+            Self::Mixture => "two normal distributions",
+            Self::Exact => "bands in closed form",
+        })
+    }
+}
+
+/// Step errors for Λ up to 1e4, as `worst_steps_keep_the_figures_of_their_tiers` in
+/// `spirv-tests/tests/height/figures.rs` measures them on the device; it fails where they are exceeded, and where they
+/// are more than 3% too wide.
+const PAPER: f64 = 0.484;
+const GAUSSIAN: f64 = 5.75e-2;
+const MIXTURE: f64 = 9e-3;
+
+/// The step error of bands at any Λ by the shelf's promises: 1e-6 of the probability, 3.1e-6 for the directions' Λ and
+/// slope correlations up to 0.98, and the rounding of a height in deviations. The same test has up to 8e-7.
+pub(crate) const EXACT: f64 = 6e-6;
+
+/// What the directions' Λ adds to a step error: at most 1/e of their error relative to 1 + Λ, which the shelf promises
+/// to be 9e-5 for the fast form.
+const LAMBDA: f64 = 4e-5;
+
+/// What rounding of the mean visible height adds for deviations from [`FLOOR`] on: φ(0) 2^-24 / (0.304 · 1e-3).
+const ROUNDED: f64 = 1e-4;
+
+/// The smallest deviation that bounds of the tiers over C0 hold from, as a part of the largest mean.
+const FLOOR: f32 = 1e-3;
+
+/// How far a C0 mean may lie above the mean height and how wide it may be, in deviations of the heights: 4.07 and 1.003
+/// by the mixture, 4.2 and 1 by the paper's fits, at Λ up to 1e4.
+const REACH: f32 = 4.25;
+const WIDTH: f32 = 1.01;
+
+/// The means and deviations that C0 is asked for.
+pub(crate) fn texture_ranges(ranges: Ranges) -> Ranges {
+    let (low, high) = ranges.mean;
+    Ranges { mean: (low, high + REACH * ranges.deviation), deviation: WIDTH * ranges.deviation }
+}
+
+/// The smallest deviation that a bound holds from.
+pub(crate) fn floor(tier: HeightTier, ranges: Ranges) -> f32 {
+    match tier {
+        HeightTier::Exact => 1e-6,
+        _ => (FLOOR * ranges.mean.0.abs().max(ranges.mean.1.abs())).max(1e-5),
+    }
+}
+
+/// The step error of a tier, the errors of the directions' Λ included.
+pub(crate) fn step_error(tier: HeightTier) -> f64 {
+    match tier {
+        HeightTier::Paper => PAPER + LAMBDA + ROUNDED,
+        HeightTier::Gaussian => GAUSSIAN + LAMBDA + ROUNDED,
+        HeightTier::Mixture => MIXTURE + LAMBDA + ROUNDED,
+        HeightTier::Exact => EXACT,
+    }
+}
