@@ -160,7 +160,7 @@ fn numbers(text: &str) -> Result<Vec<f64>, String> {
 /// Moves the range of a parameter, or the ranges of its members, from the named ones to the ordered ones.
 fn place(name: &str, shape: &Shape, named: &mut Vec<(String, Domain)>, ranges: &mut Vec<Range>) -> Result<(), String> {
     let components = match shape {
-        Shape::Texture | Shape::Sampler => return Ok(()),
+        Shape::Texture | Shape::Volume | Shape::Sampler => return Ok(()),
         Shape::Structure(_, members) => {
             return members
                 .iter()

@@ -46,7 +46,7 @@ fn entry(export: &Export) -> (String, usize) {
                 bindings += &format!("@group(1) @binding({}) var {name}: sampler;\n", slot - 1);
                 arguments.push(name.to_owned());
             }
-            "texture_2d<f32>" => {
+            "texture_2d<f32>" | "texture_3d<f32>" => {
                 bindings += &format!("@group(1) @binding({slot}) var {name}: {kind};\n");
                 slot += 2;
                 arguments.push(name.to_owned());

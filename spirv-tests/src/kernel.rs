@@ -127,11 +127,12 @@ fn kernel_main(@builtin(global_invocation_id) id: vec3u, @builtin(num_workgroups
         let arguments = self.signature.parameters.iter().map(|(name, shape)| {
             let (binding, kind) = match shape {
                 Shape::Texture => (2 * textures, "texture_2d<f32>"),
+                Shape::Volume => (2 * textures, "texture_3d<f32>"),
                 // A sampler reads the texture before it.
                 Shape::Sampler => ((2 * textures).saturating_sub(1), "sampler"),
                 _ => return shape.construct(&mut number),
             };
-            textures += usize::from(*shape == Shape::Texture);
+            textures += usize::from(matches!(shape, Shape::Texture | Shape::Volume));
             let _ = writeln!(text, "@group(1) @binding({binding}) var kernel_{name}: {kind};");
             format!("kernel_{name}")
         });

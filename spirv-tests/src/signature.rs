@@ -28,6 +28,8 @@ pub enum Shape {
     Structure(String, Vec<(String, Shape)>),
     /// `texture_2d<f32>`
     Texture,
+    /// `texture_3d<f32>`
+    Volume,
     /// `sampler`
     Sampler,
 }
@@ -78,7 +80,7 @@ impl Signature {
 
     /// Whether the function reads textures.
     pub fn has_textures(&self) -> bool {
-        self.parameters.iter().any(|(_, shape)| matches!(shape, Shape::Texture | Shape::Sampler))
+        self.parameters.iter().any(|(_, shape)| matches!(shape, Shape::Texture | Shape::Volume | Shape::Sampler))
     }
 }
 
@@ -95,7 +97,7 @@ impl Shape {
             Self::Structure(_, members) => {
                 members.iter().flat_map(|(name, shape)| shape.leaves(&format!("{path}.{name}"))).collect()
             }
-            Self::Texture | Self::Sampler => Vec::new(),
+            Self::Texture | Self::Volume | Self::Sampler => Vec::new(),
         }
     }
 
@@ -115,7 +117,7 @@ impl Shape {
                 let members: Vec<String> = members.iter().map(|(_, shape)| shape.construct(number)).collect();
                 format!("{name}({})", members.join(", "))
             }
-            Self::Texture | Self::Sampler => String::new(),
+            Self::Texture | Self::Volume | Self::Sampler => String::new(),
         }
     }
 }
@@ -151,8 +153,9 @@ fn shape(module: &naga::Module, ty: naga::Handle<naga::Type>) -> Result<Shape, S
             });
             Shape::Structure(ty.name.clone().unwrap_or_default(), members.collect::<Result<_, _>>()?)
         }
-        TypeInner::Image { dim: ImageDimension::D2, arrayed: false, class } => match class {
-            ImageClass::Sampled { kind: ScalarKind::Float, multi: false } => Shape::Texture,
+        TypeInner::Image { dim, arrayed: false, class } => match (class, dim) {
+            (ImageClass::Sampled { kind: ScalarKind::Float, multi: false }, ImageDimension::D2) => Shape::Texture,
+            (ImageClass::Sampled { kind: ScalarKind::Float, multi: false }, ImageDimension::D3) => Shape::Volume,
             other => return Err(format!("a texture of the class {other:?}")),
         },
         TypeInner::Sampler { comparison: false } => Shape::Sampler,

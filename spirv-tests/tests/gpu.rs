@@ -76,9 +76,9 @@ fn ramp(format: Format) -> Vec<Level> {
     let texels = |values: &[f32]| {
         values.iter().flat_map(|&value| [value, 0.0, 0.0, 1.0].into_iter().take(format.channels())).collect()
     };
-    let first = Level { width: 4, height: 1, texels: texels(&[1.0, 2.0, 4.0, 8.0]) };
-    let second = Level { width: 2, height: 1, texels: texels(&[10.0, 20.0]) };
-    vec![first, second, Level { width: 1, height: 1, texels: texels(&[100.0]) }]
+    let first = Level { width: 4, height: 1, depth: 1, texels: texels(&[1.0, 2.0, 4.0, 8.0]) };
+    let second = Level { width: 2, height: 1, depth: 1, texels: texels(&[10.0, 20.0]) };
+    vec![first, second, Level { width: 1, height: 1, depth: 1, texels: texels(&[100.0]) }]
 }
 
 #[test]
@@ -100,6 +100,33 @@ fn samples_every_format_between_texels_levels_and_beyond_the_edge() {
     }
 }
 
+/// Slices lie on centers along the depth as texels do along a row.
+#[test]
+fn samples_between_the_slices_of_a_volume() {
+    let device = device();
+    let texels = [1.0, 2.0, 3.0, 5.0, 10.0, 20.0, 30.0, 50.0].map(|value| [value, 0.0]).concat();
+    let level = Level { width: 2, height: 2, depth: 2, texels };
+    let volume = table(Format::Rg16Float, Sampling::Filtered, vec![level]);
+    assert_eq!((volume.wgsl_type(), volume.bytes()), ("texture_3d<f32>", 32));
+    let text = "@group(0) @binding(0) var<storage, read_write> output: array<f32>;
+        @group(0) @binding(1) var<storage, read> points: array<f32>;
+        @group(1) @binding(0) var volume: texture_3d<f32>;
+        @group(1) @binding(1) var volume_sampler: sampler;
+        @compute @workgroup_size(1)
+        fn main(@builtin(global_invocation_id) id: vec3u) {
+            let at = vec3f(points[3u * id.x], points[3u * id.x + 1u], points[3u * id.x + 2u]);
+            output[id.x] = textureSampleLevel(volume, volume_sampler, at, 0.0).x;
+        }";
+    let texture = device.upload(&volume, Address::Clamp).unwrap();
+    let points = [0.25, 0.25, 0.25, 0.75, 0.25, 0.25, 0.25, 0.75, 0.25, 0.25, 0.25, 0.75, 0.5, 0.5, 0.5, 2.0, 2.0, 2.0];
+    let kernel = Kernel::new(&device, text, "main").unwrap();
+    let work = Work { inputs: &[&points], textures: &[&texture], invocations: 6, output: 6 };
+    assert_eq!(kernel.run(&work).unwrap(), [1.0, 2.0, 3.0, 10.0, 121.0 / 8.0, 50.0]);
+    let short = Level { width: 2, height: 2, depth: 3, texels: vec![0.0; 16] };
+    let error = device.upload(&table(Format::Rg16Float, Sampling::Filtered, vec![short]), Address::Clamp).unwrap_err();
+    assert!(error.to_string().contains("values in level 0 of table `ramp` is 16; allowed is 24"), "{error}");
+}
+
 #[test]
 fn refuses_what_does_not_fit_with_its_place() {
     let device = device();
@@ -108,7 +135,7 @@ fn refuses_what_does_not_fit_with_its_place() {
         assert!(matches!(error, Error::Size { .. }), "{error}");
         error.to_string()
     };
-    let level = |width, height, count| Level { width, height, texels: vec![0.0; count] };
+    let level = |width, height, count| Level { width, height, depth: 1, texels: vec![0.0; count] };
     assert!(refused(vec![]).contains("levels of table `ramp` is 0"));
     assert!(refused(vec![level(0, 1, 0)]).contains("the width of level 0 of table `ramp` is 0"));
     assert!(refused(vec![level(4, 2, 15)]).contains("values in level 0 of table `ramp` is 15; allowed is 16"));

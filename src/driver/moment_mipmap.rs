@@ -85,7 +85,7 @@ impl MomentMipmap {
         let most = values.iter().copied().fold(f32::NEG_INFINITY, f32::max);
 
         let points = values.iter().flat_map(|&value| [value, 0.0]).collect();
-        let mut levels = vec![Level { width, height, texels: points }];
+        let mut levels = vec![Level { width, height, depth: 1, texels: points }];
         let base = Grid::reconstruction(wide, high, values, edge);
         let mut above: Option<Grid> = None;
         let (mut w, mut h) = (wide, high);
@@ -95,7 +95,7 @@ impl MomentMipmap {
             let nested = above.take().filter(|grid| grid.width % w == 0 && grid.height % h == 0);
             let grid = nested.as_ref().unwrap_or(&base).shrunk(w, h);
             let texels = grid.moments.iter().flat_map(|&[mean, variance]| [mean as f32, variance.sqrt() as f32]);
-            levels.push(Level { width: w as u32, height: h as u32, texels: texels.collect() });
+            levels.push(Level { width: w as u32, height: h as u32, depth: 1, texels: texels.collect() });
             above = Some(grid);
         }
         Ok(Self { levels, values: (least, most) })

@@ -229,7 +229,7 @@ fn knots(map: &ColorMap, ranges: Ranges) -> Filter {
         name: "knots".to_owned(),
         format: Format::Rgba32Float,
         sampling: Sampling::Loaded,
-        levels: vec![Level { width: knots.len() as u32, height: 3, texels }],
+        levels: vec![Level { width: knots.len() as u32, height: 3, depth: 1, texels }],
         error: 0.0,
     };
     let reach = number(ranges.deviation);

@@ -1,6 +1,6 @@
 //! Tables as textures.
 
-use crate::table::{Format, Sampling, Table};
+use crate::table::{Format, Level, Sampling, Table};
 use crate::Error;
 
 use super::Device;
@@ -50,14 +50,15 @@ impl Device {
     pub fn upload(&self, table: &Table, address: Address) -> Result<Texture, Error> {
         self.check(table)?;
         let Some(first) = table.levels.first() else { return Err(no_level(table)) };
-        let (size, format) = (extent(first.width, first.height), format(table.format));
+        let (size, format) = (extent(first), format(table.format));
+        let dimension = if table.is_volume() { wgpu::TextureDimension::D3 } else { wgpu::TextureDimension::D2 };
         self.checked(&format!("uploading the table `{}`", table.name), || {
             let texture = self.wgpu().create_texture(&wgpu::TextureDescriptor {
                 label: Some(&table.name),
                 size,
                 mip_level_count: table.levels.len() as u32,
                 sample_count: 1,
-                dimension: wgpu::TextureDimension::D2,
+                dimension,
                 format,
                 usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
                 view_formats: &[],
@@ -67,10 +68,10 @@ impl Device {
                 let layout = wgpu::TexelCopyBufferLayout {
                     offset: 0,
                     bytes_per_row: Some(level.width * table.format.bytes_per_texel() as u32),
-                    rows_per_image: None,
+                    rows_per_image: Some(level.height),
                 };
                 let bytes = table.format.encode(&level.texels);
-                self.queue().write_texture(target, &bytes, layout, extent(level.width, level.height));
+                self.queue().write_texture(target, &bytes, layout, extent(level));
             }
             let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
             let sampler = self.wgpu().create_sampler(&sampler(table, address));
@@ -80,12 +81,15 @@ impl Device {
 
     fn check(&self, table: &Table) -> Result<(), Error> {
         let Some(first) = table.levels.first() else { return Err(no_level(table)) };
-        let limit = self.wgpu().limits().max_texture_dimension_2d;
+        let limits = self.wgpu().limits();
+        let limit = if table.is_volume() { limits.max_texture_dimension_3d } else { limits.max_texture_dimension_2d };
         let size = |what: String, count: usize, allowed: String| Err(Error::Size { what, count, allowed });
         for (number, level) in table.levels.iter().enumerate() {
-            let expected = [first.width, first.height].map(|side| side.checked_shr(number as u32).unwrap_or(0).max(1));
-            for (side, (given, expected)) in [level.width, level.height].into_iter().zip(expected).enumerate() {
-                let what = format!("the {} of level {number} of table `{}`", ["width", "height"][side], table.name);
+            let sides = |level: &Level| [level.width, level.height, level.depth];
+            let expected = sides(first).map(|side| side.checked_shr(number as u32).unwrap_or(0).max(1));
+            for (side, (given, expected)) in sides(level).into_iter().zip(expected).enumerate() {
+                let side = ["width", "height", "depth"][side];
+                let what = format!("the {side} of level {number} of table `{}`", table.name);
                 if given == 0 || given > limit {
                     return size(what, given as usize, format!("1 to {limit}"));
                 }
@@ -93,13 +97,17 @@ impl Device {
                     return size(what, given as usize, format!("{expected}, half of the level above"));
                 }
             }
-            let texels = level.width as usize * level.height as usize * table.format.channels();
+            let texels = level.count() * table.format.channels();
             if level.texels.len() != texels {
                 let what = format!("the number of values in level {number} of table `{}`", table.name);
-                return size(what, level.texels.len(), format!("{texels}, width times height times channels"));
+                return size(
+                    what,
+                    level.texels.len(),
+                    format!("{texels}, width times height times depth times channels"),
+                );
             }
         }
-        let levels = 32 - first.width.max(first.height).leading_zeros() as usize;
+        let levels = 32 - first.width.max(first.height).max(first.depth).leading_zeros() as usize;
         if table.levels.len() > levels {
             let what = format!("the number of levels of table `{}`", table.name);
             return size(what, table.levels.len(), format!("1 to {levels}"));
@@ -122,8 +130,8 @@ fn no_level(table: &Table) -> Error {
     Error::Size { what, count: 0, allowed: "1 or more".into() }
 }
 
-fn extent(width: u32, height: u32) -> wgpu::Extent3d {
-    wgpu::Extent3d { width, height, depth_or_array_layers: 1 }
+fn extent(level: &Level) -> wgpu::Extent3d {
+    wgpu::Extent3d { width: level.width, height: level.height, depth_or_array_layers: level.depth }
 }
 
 fn format(format: Format) -> wgpu::TextureFormat {

@@ -196,11 +196,11 @@ impl Scene {
     }
 }
 
-/// `, table: texture_2d<f32>, table_sampler: sampler` for each table.
+/// `, table: texture_2d<f32>, table_sampler: sampler` for each table, a volume with its own type.
 fn parameters(tables: &[Table]) -> String {
     let parameter = |table: &Table| match table.sampling {
-        Sampling::Loaded => format!(", {}: texture_2d<f32>", table.name),
-        Sampling::Filtered => format!(", {0}: texture_2d<f32>, {0}_sampler: sampler", table.name),
+        Sampling::Loaded => format!(", {}: {}", table.name, table.wgsl_type()),
+        Sampling::Filtered => format!(", {0}: {1}, {0}_sampler: sampler", table.name, table.wgsl_type()),
     };
     tables.iter().map(parameter).collect()
 }

@@ -17,7 +17,7 @@ pub(crate) fn bake(name: &str, map: &PiecewiseLinear, means: Axis, deviations: A
         name: name.to_owned(),
         format: Format::Rgba16Float,
         sampling: Sampling::Filtered,
-        levels: vec![Level { width: means.count as u32, height: deviations.count as u32, texels }],
+        levels: vec![Level { width: means.count as u32, height: deviations.count as u32, depth: 1, texels }],
         error,
     }
 }

@@ -64,8 +64,17 @@ pub struct Level {
     pub width: u32,
     /// Rows.
     pub height: u32,
-    /// The channels of the texels, row by row from the top.
+    /// Slices: 1 in a flat texture.
+    #[cfg_attr(feature = "serde", serde(default = "flat"))]
+    pub depth: u32,
+    /// The channels of the texels, row by row from the top, slice by slice.
     pub texels: Vec<f32>,
+}
+
+/// The depth of levels stored before there were volumes.
+#[cfg(feature = "serde")]
+fn flat() -> u32 {
+    1
 }
 
 /// A texture to bind to a parameter of an export.
@@ -84,10 +93,30 @@ pub struct Table {
     pub error: f32,
 }
 
+impl Level {
+    /// Texels of all slices.
+    pub fn count(&self) -> usize {
+        self.width as usize * self.height as usize * self.depth as usize
+    }
+}
+
 impl Table {
     /// Bytes of all levels.
     pub fn bytes(&self) -> usize {
-        self.levels.iter().map(|level| level.width as usize * level.height as usize).sum::<usize>()
-            * self.format.bytes_per_texel()
+        self.levels.iter().map(Level::count).sum::<usize>() * self.format.bytes_per_texel()
+    }
+
+    /// Whether it is a three-dimensional texture: one of several slices.
+    pub fn is_volume(&self) -> bool {
+        self.levels.iter().any(|level| level.depth > 1)
+    }
+
+    /// The WGSL type of its parameter: `texture_2d<f32>`, or `texture_3d<f32>` of a volume.
+    pub fn wgsl_type(&self) -> &'static str {
+        if self.is_volume() {
+            "texture_3d<f32>"
+        } else {
+            "texture_2d<f32>"
+        }
     }
 }

@@ -17,7 +17,7 @@ pub fn colored(heights: &Heights, map: &PiecewiseLinear) -> Table {
 }
 
 fn pyramid(name: &str, format: Format, heights: &Heights, texels: Vec<f32>) -> Table {
-    let first = Level { width: heights.width as u32, height: heights.height as u32, texels };
+    let first = Level { width: heights.width as u32, height: heights.height as u32, depth: 1, texels };
     let levels = std::iter::successors(Some(first), |level| halved(level, format.channels())).collect();
     Table { name: name.into(), format, sampling: Sampling::Filtered, levels, error: 0.0 }
 }
@@ -44,7 +44,7 @@ fn halved(level: &Level, channels: usize) -> Option<Level> {
             texels.extend(sum[..channels].iter().map(|&total| total as f32));
         }
     }
-    Some(Level { width, height, texels })
+    Some(Level { width, height, depth: 1, texels })
 }
 
 /// The texels of a row of `from` that texel `at` of `to` covers, with the parts of it that each fills.

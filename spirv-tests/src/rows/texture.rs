@@ -48,7 +48,7 @@ fn knots(map: &ColorMap) -> Row {
         all().flat_map(|knot| knot.right).collect(),
         all().flat_map(|knot| [knot.position, 0.0, 0.0, 0.0]).collect(),
     ];
-    let level = Level { width: map.knots().len() as u32, height: 3, texels: lines.concat() };
+    let level = Level { width: map.knots().len() as u32, height: 3, depth: 1, texels: lines.concat() };
     let (format, sampling) = (Format::Rgba32Float, Sampling::Loaded);
     let table = Table { name: "knots".into(), format, sampling, levels: vec![level], error: 0.0 };
     let breakpoints: Vec<[f64; 2]> = all().flat_map(|knot| [1e-6, 0.01].map(|s| [knot.position.into(), s])).collect();
