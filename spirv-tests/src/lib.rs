@@ -7,6 +7,7 @@ pub mod exports;
 pub mod fill;
 pub mod gap;
 pub mod harness;
+pub mod imaging;
 pub mod judged;
 pub mod kernel;
 pub mod maps;

@@ -1,13 +1,13 @@
 //! Every method on one input against the truth: a still, a pan and a zoom.
 
 use super::input::Input;
-use super::measure::{deviation, errors, root_mean_square, samples_for, Deviation};
 use super::method::{Method, Renderer};
 use super::motion::{shimmer, Motion};
-use super::picture::Picture;
 use super::plane::Plane;
 use super::truth::Sampler;
 use super::Error;
+use crate::imaging::measure::{deviation, errors, root_mean_square, samples_for, Deviation};
+use crate::imaging::picture::Picture;
 use prefilter::gpu::Device;
 
 /// Strata an axis of the truth, which is the mean of two such pictures.

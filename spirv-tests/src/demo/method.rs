@@ -2,9 +2,9 @@
 
 use super::heights::Heights;
 use super::input::Input;
-use super::picture::Picture;
 use super::plane::Plane;
 use super::{pyramid, Error};
+use crate::imaging::picture::Picture;
 use prefilter::driver::moment_mipmap::{Edge, MomentMipmap};
 use prefilter::driver::moments::{Moments, Taps};
 use prefilter::driver::Driver;

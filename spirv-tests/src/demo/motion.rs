@@ -1,7 +1,7 @@
 //! Moving pictures: what shimmers is the error that changes from frame to frame.
 
-use super::picture::Picture;
 use super::plane::Plane;
+use crate::imaging::picture::Picture;
 
 /// A way to move.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -2,8 +2,8 @@
 
 use super::judge::{Judged, Sizes};
 use super::method::Method;
-use super::picture::Picture;
 use super::{sheet, table, Error};
+use crate::imaging::picture::Picture;
 use std::fmt::Write;
 use std::path::Path;
 

@@ -1,10 +1,10 @@
 //! The contact sheet: every column's picture and error map side by side, with labels.
 
-use super::canvas::{Canvas, Letters};
 use super::judge::Judged;
-use super::measure::errors;
 use super::method::Method;
-use super::picture::Picture;
+use crate::imaging::canvas::{Canvas, Letters};
+use crate::imaging::measure::errors;
+use crate::imaging::picture::Picture;
 
 /// The error that error maps show brightest.
 pub const BRIGHTEST: f32 = 0.25;

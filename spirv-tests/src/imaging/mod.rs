@@ -1,0 +1,31 @@
+//! Pictures and what reports do with them: supersampling, how far one is from another, drawing, lettering, PNG files.
+
+pub mod canvas;
+pub mod measure;
+pub mod picture;
+pub mod pixel;
+
+/// Why a report of pictures stopped.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// A scene or the device.
+    #[error(transparent)]
+    Prefilter(#[from] prefilter::Error),
+    /// A picture.
+    #[error("a picture: {0}")]
+    Image(#[from] image::ImageError),
+    /// The contact sheet.
+    #[error("the contact sheet: {0}")]
+    Sheet(#[from] png::EncodingError),
+    /// The color maps' file.
+    #[error("the color maps: {0}")]
+    Map(String),
+    /// A file of the report.
+    #[error("writing {path}: {error}")]
+    File {
+        /// Which file.
+        path: std::path::PathBuf,
+        /// What happened.
+        error: std::io::Error,
+    },
+}
