@@ -8,6 +8,7 @@ pub mod heights;
 pub mod moments;
 pub mod normal;
 pub mod quadrature;
+pub mod slopes;
 pub mod smith;
 pub mod taps;
 pub mod texture;
