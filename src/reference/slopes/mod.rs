@@ -1,5 +1,5 @@
-//! The distribution of visible slopes: D_s(s) = t⁺(s) p_s(s) / E[t⁺], with the normal distribution p_s of all slopes and
-//! the weight t(s) = v.z − v.xy · s of the view v, 0 where it is negative.
+//! The distribution of visible slopes: D_s(s) = t⁺(s) p_s(s) / E[t⁺], with the normal distribution p_s of all slopes
+//! and the weight t(s) = v.z − v.xy · s of the view v, 0 where it is negative.
 //!
 //! The weight is the area of a facet in the picture for a unit of area of the mean plane: a facet with the normal n ∝
 //! (−s.x, −s.y, 1) has 1/n.z of the plane's area, of which n · v is seen. Equation 4 of Bruneton and Neyret 2012, "A
