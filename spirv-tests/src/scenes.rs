@@ -42,6 +42,7 @@ pub fn heights() -> Result<Vec<(&'static str, Scene)>> {
     let four = ColorMap::gradient([(0.0, [0.1, 0.2, 0.3, 0.4]), (1.0, [0.9, 0.8, 0.7, 1.0])])?;
     let masked = Microsurface { shadowing: false, masking: true, ..Microsurface::default() };
     let hotspot = Microsurface { hotspot: true, ..Microsurface::default() };
+    let tilted = Microsurface { mean_slope: true, ..Microsurface::default() };
     Ok(vec![
         ("height_default", Scene::new("lichen").height(lichen()?)),
         ("height_paper", Scene::new("lichen").height(lichen()?).height_tier(HeightTier::Paper)),
@@ -51,6 +52,7 @@ pub fn heights() -> Result<Vec<(&'static str, Scene)>> {
         ("height_dynamic", terrain()?.colors(Colors::Dynamic).height_tier(HeightTier::Mixture).tier(EXACT)),
         ("height_bands", bands()?),
         ("height_bands_hotspot", bands()?.microsurface(hotspot)),
+        ("height_tilted", terrain()?.microsurface(tilted).height_tier(HeightTier::Mixture).tier(FAST)),
         ("height_masked", Scene::new("moss").height(four).microsurface(masked).tier(FAST)),
     ])
 }

@@ -7,16 +7,16 @@
 //! Source: Heitz, Nowrouzezahrai, Poulin and Neyret 2014, "Filtering Non-Linear Transfer Functions on Surfaces",
 //! sections 3 and 5.1.
 
+pub(crate) mod glue;
 pub(crate) mod surface;
 pub(crate) mod tier;
 
-use super::texture::{color, color_type, number, returned, Filter};
+use super::texture::{color, number, returned, Filter};
 use crate::accuracy::{Bound, Ranges};
 use crate::transfer::color_map::{ColorMap, Colors};
 use crate::transfer::pieces::Pieces;
 use crate::Error;
-use surface::lambdas;
-use tier::{step_error, EXACT};
+use surface::step_error;
 
 pub use surface::Microsurface;
 pub use tier::HeightTier;
@@ -42,6 +42,7 @@ pub(crate) fn over(
     texture: &Filter,
     map: &ColorMap,
     tier: HeightTier,
+    surface: Microsurface,
     ranges: Ranges,
     name: &str,
     arguments: &str,
@@ -61,7 +62,7 @@ pub(crate) fn over(
             at("visible.z", "visible.w")
         ),
     };
-    let sum = (variation(map) * step_error(tier)) as f32 + texture.bound.value();
+    let sum = (variation(map) * step_error(tier, surface)) as f32 + texture.bound.value();
     let bound = match texture.bound {
         // Neither the color nor the integral leaves the hull.
         Bound::Guaranteed(_) => Bound::Guaranteed(sum.min(map.widest_span())),
@@ -74,7 +75,7 @@ pub(crate) fn over(
 ///
 /// # Errors
 /// A map with gradients, and dynamic colors.
-pub(crate) fn bands(map: &ColorMap, colors: Colors, ranges: Ranges) -> Result<Filter, Error> {
+pub(crate) fn bands(map: &ColorMap, colors: Colors, surface: Microsurface, ranges: Ranges) -> Result<Filter, Error> {
     if !banded(map) || colors == Colors::Dynamic {
         let why = if colors == Colors::Dynamic { "dynamic colors" } else { "this map, which has gradients" };
         let tier = HeightTier::Exact;
@@ -94,59 +95,8 @@ pub(crate) fn bands(map: &ColorMap, colors: Colors, ranges: Ranges) -> Result<Fi
     body += &returned(map, "c");
     let error = |channel: usize| {
         let sizes = pieces.steps.iter().map(|step| f64::from(step.change[channel].abs()));
-        sizes.sum::<f64>() * EXACT + pieces.rounding(channel, |_| 0.0)
+        sizes.sum::<f64>() * step_error(HeightTier::Exact, surface) + pieces.rounding(channel, |_| 0.0)
     };
     let bound = Bound::Guaranteed((0..4).map(error).fold(0.0, f64::max) as f32);
     Ok(Filter { body, tables: Vec::new(), bound, trips: 1 })
-}
-
-/// The functions of a scene of heights but for `NAME_texture`.
-pub(crate) fn glue(
-    name: &str,
-    map: &ColorMap,
-    tier: HeightTier,
-    label: &str,
-    surface: Microsurface,
-    filter: &Filter,
-    parameters: &str,
-) -> String {
-    let lambdas = lambdas(tier, surface);
-    let (light, who) = if surface.shadowing { (", light: vec3f", "seen and lit") } else { ("", "seen") };
-    let digits = if tier == HeightTier::Exact { "4e-6" } else { "1e-4" };
-    let body = if surface.shadowing { filter.body.clone() } else { filter.body.replace("seen + lit", "seen") };
-    let mut text = format!(
-        "/// Mean color of `{name}` over the heights that are {who},
-/// by {label}.
-///
-/// `mean` and `deviation` of the heights are in the unit of the map's positions. Directions are unit vectors away from
-/// the surface, z along its normal; the covariance of its slopes is xx, xy, yy. Below a horizon the color is that of
-/// the highest heights.
-fn {name}_height(mean: f32, deviation: f32, slope_covariance: vec3f, view: vec3f{light}{parameters}) -> {} {{
-{lambdas}{body}}}
-",
-        color_type(map)
-    );
-    if surface.shadowing {
-        text += &format!(
-            "
-/// Share of what the view sees of `{name}` that is lit: 0 below a horizon. Within {digits} of Smith's model.
-fn {name}_visibility(slope_covariance: vec3f, view: vec3f, light: vec3f) -> f32 {{
-{lambdas}    return visibility_shadowing(seen, lit);
-}}
-"
-        );
-    }
-    if surface.masking {
-        let seen = lambdas.lines().next().unwrap_or_default();
-        text += &format!(
-            "
-/// Share of `{name}` that the view sees: 0 below the horizon. Within {digits} of Smith's model.
-fn {name}_masking(slope_covariance: vec3f, view: vec3f) -> f32 {{
-{seen}
-    return visibility_masking(seen);
-}}
-"
-        );
-    }
-    text
 }

@@ -6,6 +6,7 @@ use std::fmt::Write;
 use super::Scene;
 use crate::accuracy::Ranges;
 use crate::cost::{self, Cost};
+use crate::filter::height::glue::Glue;
 use crate::filter::height::tier::texture_ranges;
 use crate::filter::height::{self, HeightTier};
 use crate::filter::texture::{color_type, filter, Filter};
@@ -121,16 +122,17 @@ impl Scene {
         if named == [HeightTier::Exact] {
             return Ok(candidates);
         }
-        let (name, ranges) = (&self.name, self.chosen_ranges());
+        let (name, surface, ranges) = (&self.name, self.microsurface, self.chosen_ranges());
         let below = texture_ranges(ranges);
         for texture_tier in self.tiers() {
             let texture = filter(map, self.colors, texture_tier, below)?;
             let own = self.texture_glue(map, texture_tier, below, &texture);
             for &tier in &named {
-                let filter = height::over(&texture, map, tier, ranges, name, &arguments(&texture.tables));
+                let filter = height::over(&texture, map, tier, surface, ranges, name, &arguments(&texture.tables));
                 let label = format!("{tier} over {texture_tier}");
                 let extra = parameters(&filter.tables);
-                let glue = height::glue(name, map, tier, &label, self.microsurface, &filter, &extra) + "\n" + &own;
+                let glue = Glue { name, map, tier, label: &label, surface, parameters: &extra }.text(&filter);
+                let glue = glue + "\n" + &own;
                 let judged = if self.height_tier.is_some() { texture.bound } else { filter.bound };
                 candidates.push(self.candidate(label, Some(tier), judged.value(), filter, glue)?);
             }
@@ -144,9 +146,9 @@ impl Scene {
         if let (Some(_), Some(named)) = (self.height_tier, self.tier) {
             return Err(Error::Conflict(format!("{tier} stand on no color map: leave out the tier, {named}")));
         }
-        let filter = height::bands(map, self.colors, self.chosen_ranges())?;
-        let label = tier.to_string();
-        let glue = height::glue(&self.name, map, tier, &label, self.microsurface, &filter, "");
+        let (name, surface, label) = (&self.name, self.microsurface, tier.to_string());
+        let filter = height::bands(map, self.colors, surface, self.chosen_ranges())?;
+        let glue = Glue { name, map, tier, label: &label, surface, parameters: "" }.text(&filter);
         self.candidate(label, Some(tier), filter.bound.value(), filter, glue)
     }
 

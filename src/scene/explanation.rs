@@ -35,11 +35,17 @@ impl Scene {
     /// What the bound of a tier of heights is made of, and the Λ and deviations that it holds for.
     fn covered(&self, tier: HeightTier, map: &ColorMap) -> String {
         let floor = tier::floor(tier, self.chosen_ranges());
-        let (step, variation) = (tier::step_error(tier), height::variation(map));
+        let (step, variation) = (surface::step_error(tier, self.microsurface), height::variation(map));
         let reach =
             if tier == HeightTier::Exact { "any Λ" } else { "Λ of view and light that add up to 1e4 at most" };
+        let tilted = if self.microsurface.mean_slope {
+            format!(", mean slopes to 1 with directions that win {} over the mean surface", surface::RISE)
+        } else {
+            String::new()
+        };
         format!(
-            "{reach}, deviations from {floor:.1e}: a step errs by {step:.1e}, times the total variation {variation:.3}"
+            "{reach}, deviations from {floor:.1e}{tilted}: a step errs by {step:.1e}, times the total variation \
+             {variation:.3}"
         )
     }
 

@@ -36,8 +36,11 @@ fn covariance(random: &mut Random) -> [f32; 3] {
 }
 
 /// A call of `NAME_height` with its sum of Λ.
+#[derive(Clone)]
 struct Call {
     numbers: [f32; 11],
+    /// That of the mean surface, for scenes that take it.
+    mean_slope: [f32; 2],
     /// Λ of view and light.
     parts: [f64; 2],
     lambda: f64,
@@ -45,14 +48,42 @@ struct Call {
 
 /// Λ of a direction by its definition: the quadrature over slopes.
 fn lambda(direction: [f32; 3], covariance: [f32; 3]) -> f64 {
-    Along::new(direction.map(f64::from), covariance.map(f64::from), [0.0; 2]).lambda()
+    along(direction, covariance, [0.0; 2]).lambda()
+}
+
+fn along(direction: [f32; 3], covariance: [f32; 3], mean_slope: [f32; 2]) -> Along {
+    Along::new(direction.map(f64::from), covariance.map(f64::from), mean_slope.map(f64::from))
 }
 
 impl Call {
     fn new(mean: f32, deviation: f32, [xx, xy, yy]: [f32; 3], view: [f32; 3], light: [f32; 3]) -> Self {
         let parts = [view, light].map(|direction| lambda(direction, [xx, xy, yy]));
         let ([a, b, c], [d, e, f]) = (view, light);
-        Self { numbers: [mean, deviation, xx, xy, yy, a, b, c, d, e, f], parts, lambda: parts[0] + parts[1] }
+        let numbers = [mean, deviation, xx, xy, yy, a, b, c, d, e, f];
+        Self { numbers, mean_slope: [0.0; 2], parts, lambda: parts[0] + parts[1] }
+    }
+
+    fn three(&self, at: usize) -> [f32; 3] {
+        [self.numbers[at], self.numbers[at + 1], self.numbers[at + 2]]
+    }
+
+    /// The same over a mean surface with a slope, where both directions win as much over it as bounds ask for.
+    fn tilted(self, mean_slope: [f32; 2]) -> Option<Self> {
+        let rise = |[x, y, z]: [f32; 3]| z - x * mean_slope[0] - y * mean_slope[1];
+        let directions = [self.three(5), self.three(8)];
+        if directions.iter().any(|&direction| rise(direction) < 0.0101) {
+            return None;
+        }
+        let parts = directions.map(|direction| along(direction, self.three(2), mean_slope).lambda());
+        Some(Self { mean_slope, parts, lambda: parts[0] + parts[1], ..self })
+    }
+
+    /// The numbers that an export takes, by its signature.
+    fn arguments(&self, signature: &str) -> Vec<f32> {
+        let part = |name: &str, numbers: &[f32]| if signature.contains(name) { numbers.to_vec() } else { Vec::new() };
+        let [heights, slopes] = [&self.numbers[..2], &self.numbers[2..8]];
+        let (tilt, light) = (part("mean_slope:", &self.mean_slope), part("light:", &self.numbers[8..]));
+        [heights.to_vec(), tilt, slopes.to_vec(), light].concat()
     }
 
     /// The same where nothing casts shadows.
@@ -62,7 +93,7 @@ impl Call {
 
     /// The same with visibilities that are correlated by their azimuths.
     fn hot(self) -> Self {
-        let direction = |at: usize| [0, 1, 2].map(|axis| f64::from(self.numbers[at + axis]));
+        let direction = |at: usize| self.three(at).map(f64::from);
         let independence = independence(azimuth(direction(5), direction(8)));
         let [seen, lit] = self.parts;
         Self { lambda: seen.max(lit) + independence * seen.min(lit), ..self }
@@ -93,9 +124,7 @@ fn calls(random: &mut Random, map: &ColorMap, ranges: Ranges, floor: f32, count:
 fn error(device: &Device, scene: &Scene, calls: &[Call]) -> Result<f64, Fault> {
     let (module, map) = (scene.module()?, scene.map().ok_or("no map")?);
     let export = &module.exports()[0];
-    // Where nothing casts shadows there is no light.
-    let width = if export.signature.contains("light") { 11 } else { 8 };
-    let numbers: Vec<f32> = calls.iter().flat_map(|call| call.numbers[..width].to_vec()).collect();
+    let numbers: Vec<f32> = calls.iter().flat_map(|call| call.arguments(&export.signature)).collect();
     let colors = ExportKernel::new(device, &module, export)?.run(&numbers)?;
     let (reference, (low, high)) = (map.reference(), map.hull());
     assert!(!colors.is_empty() && colors.len() == calls.len());

@@ -26,6 +26,21 @@ fn what_is_off_leaves_no_trace() -> Outcome {
     assert!(!text.contains("light") && !text.contains("fn visibility_"), "{text}");
     let masked = scene.clone().microsurface(Microsurface { shadowing: false, masking: true, ..surface });
     assert_eq!(signatures(&masked)?[1], "fn moss_masking(slope_covariance: vec3f, view: vec3f) -> f32");
+    let tilted = scene.clone().microsurface(Microsurface { masking: true, mean_slope: true, ..surface });
+    let slopes = "mean_slope: vec2f, slope_covariance: vec3f, view: vec3f";
+    assert_eq!(
+        signatures(&tilted)?,
+        [
+            format!("fn moss_height(mean: f32, deviation: f32, {slopes}, light: vec3f) -> vec3f"),
+            format!("fn moss_visibility({slopes}, light: vec3f) -> f32"),
+            format!("fn moss_masking({slopes}) -> f32"),
+        ]
+    );
+    assert!(!scene.module()?.wgsl().contains("mean_slope") && !tilted.module()?.wgsl().contains("smith_parameter_"));
+    assert!(tilted
+        .module()?
+        .explain()
+        .contains("mean slopes to 1 with directions that win 0.01 over the mean surface"));
     let hot = scene.microsurface(Microsurface { hotspot: true, ..surface }).module()?;
     assert_eq!(hot.wgsl().matches("visibility_independence(view, light)").count(), 2);
     Ok(())
@@ -118,5 +133,9 @@ fn older_files_load() -> Outcome {
         assert!(fields.remove(new).is_some(), "{new}");
     }
     assert_eq!(serde_json::from_value::<Scene>(file)?, scene);
+    // So do surfaces of fewer switches.
+    let surface = serde_json::from_str::<Microsurface>(r#"{"shadowing":false,"hotspot":true,"masking":true}"#)?;
+    let known = Microsurface { shadowing: false, hotspot: true, masking: true, ..Microsurface::default() };
+    assert_eq!(surface, known);
     Ok(())
 }

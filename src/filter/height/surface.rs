@@ -1,6 +1,6 @@
 //! What hides parts of a rough surface, and what is known of how well Smith's model describes it.
 
-use super::tier::HeightTier;
+use super::tier::{self, HeightTier};
 
 /// What hides parts of a rough surface, and what the module says of it; what is off leaves no trace in the text.
 ///
@@ -17,18 +17,27 @@ pub struct Microsurface {
     /// `NAME_masking`, the share of the surface that the view sees, is exported. Default: no, because engines have such
     /// a term.
     pub masking: bool,
+    /// The mean surface is tilted: exports take `mean_slope: vec2f` before `slope_covariance`. Slopes and directions are
+    /// those over the plane whose normal is z; below the horizon of the mean surface nothing is seen. Default: no.
+    pub mean_slope: bool,
 }
 
 impl Default for Microsurface {
     fn default() -> Self {
-        Self { shadowing: true, hotspot: false, masking: false }
+        Self { shadowing: true, hotspot: false, masking: false, mean_slope: false }
     }
 }
 
 /// The statements that name `seen` and `lit`, the Λ of the view and what the light adds to it.
 pub(crate) fn lambdas(tier: HeightTier, surface: Microsurface) -> String {
     let function = if tier == HeightTier::Exact { "smith_lambda" } else { "smith_lambda_fast" };
-    let of = |direction: &str| format!("{function}(smith_parameter_level({direction}, slope_covariance))");
+    let of = |direction: &str| {
+        if surface.mean_slope {
+            format!("{function}(smith_parameter({direction}, slope_covariance, mean_slope))")
+        } else {
+            format!("{function}(smith_parameter_level({direction}, slope_covariance))")
+        }
+    };
     let mut text = format!("    let seen = {};\n", of("view"));
     text += &match (surface.shadowing, surface.hotspot) {
         (false, _) => String::new(),
@@ -40,6 +49,18 @@ pub(crate) fn lambdas(tier: HeightTier, surface: Microsurface) -> String {
         ),
     };
     text
+}
+
+/// What a step error gains over a tilted surface, for directions that win [`RISE`] over it and mean slopes up to 1:
+/// at most 1/e of the 1e-7/rise that the rounding of the rise costs Λ, relative to 1 + Λ.
+const TILTED: f64 = 4e-6;
+
+/// The smallest ω.z − s̄·ω.xy that bounds over tilted surfaces hold from.
+pub(crate) const RISE: f64 = 0.01;
+
+/// The step error of a tier over a surface.
+pub(crate) fn step_error(tier: HeightTier, surface: Microsurface) -> f64 {
+    tier::step_error(tier) + if surface.mean_slope { TILTED } else { 0.0 }
 }
 
 /// What no bound of the heights covers, and how much that was measured to be.

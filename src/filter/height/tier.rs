@@ -41,7 +41,7 @@ const MIXTURE: f64 = 9e-3;
 
 /// The step error of bands at any Λ by the shelf's promises: 1e-6 of the probability, 3.1e-6 for the directions' Λ and
 /// slope correlations up to 0.98, and the rounding of a height in deviations. The same test has up to 8e-7.
-pub(crate) const EXACT: f64 = 6e-6;
+const EXACT: f64 = 6e-6;
 
 /// What the directions' Λ adds to a step error: at most 1/e of their error relative to 1 + Λ, which the shelf promises
 /// to be 9e-5 for the fast form.

@@ -1,0 +1,92 @@
+//! The functions of a scene of heights: their parameters, what they say, and what they call.
+
+use super::surface::{lambdas, Microsurface};
+use super::tier::HeightTier;
+use crate::filter::texture::{color_type, Filter};
+use crate::transfer::color_map::ColorMap;
+
+/// What the functions of a scene of heights are made from.
+pub(crate) struct Glue<'a> {
+    /// The scene's name.
+    pub name: &'a str,
+    /// What colors the heights.
+    pub map: &'a ColorMap,
+    /// How the visible heights are represented.
+    pub tier: HeightTier,
+    /// The tier in words, with that of the color map.
+    pub label: &'a str,
+    /// What hides parts of the surface.
+    pub surface: Microsurface,
+    /// The parameters of the tables, each behind a comma.
+    pub parameters: &'a str,
+}
+
+impl Glue<'_> {
+    /// Every function but `NAME_texture`; the body of `NAME_height` is the filter's.
+    pub(crate) fn text(&self, filter: &Filter) -> String {
+        let Self { name, surface, .. } = *self;
+        let mut text = self.height(&filter.body);
+        let lambdas = lambdas(self.tier, surface);
+        let digits = if self.tier == HeightTier::Exact { "4e-6" } else { "1e-4" };
+        let slopes = slopes(surface);
+        if surface.shadowing {
+            text += &format!(
+                "
+/// Share of what the view sees of `{name}` that is lit: 0 below a horizon. Within {digits} of Smith's model.
+fn {name}_visibility({slopes}, view: vec3f, light: vec3f) -> f32 {{
+{lambdas}    return visibility_shadowing(seen, lit);
+}}
+"
+            );
+        }
+        if surface.masking {
+            let seen = lambdas.lines().next().unwrap_or_default();
+            text += &format!(
+                "
+/// Share of `{name}` that the view sees: 0 below the horizon. Within {digits} of Smith's model.
+fn {name}_masking({slopes}, view: vec3f) -> f32 {{
+{seen}
+    return visibility_masking(seen);
+}}
+"
+            );
+        }
+        text
+    }
+
+    fn height(&self, body: &str) -> String {
+        let Self { name, map, tier, label, surface, parameters } = *self;
+        let (light, who) = if surface.shadowing { (", light: vec3f", "seen and lit") } else { ("", "seen") };
+        let body = if surface.shadowing { body.to_owned() } else { body.replace("seen + lit", "seen") };
+        format!(
+            "/// Mean color of `{name}` over the heights that are {who},
+/// by {label}.
+///
+/// `mean` and `deviation` of the heights are in the unit of the map's positions. Directions are unit vectors away from
+/// the surface, z along its normal; the covariance of its slopes is xx, xy, yy. Below a horizon the color is that of
+/// the highest heights.{}
+fn {name}_height(mean: f32, deviation: f32, {}, view: vec3f{light}{parameters}) -> {} {{
+{}{body}}}
+",
+            if surface.mean_slope { TILTED } else { "" },
+            slopes(surface),
+            color_type(map),
+            lambdas(tier, surface)
+        )
+    }
+}
+
+/// What `NAME_height` says of its mean slope.
+const TILTED: &str = "
+///
+/// `mean_slope` is that of the mean surface over the plane whose normal is z: a surface of the slope s has a normal
+/// along (-s.x, -s.y, 1). The horizon is that of the mean surface.";
+
+/// The parameters of the slopes' statistics.
+fn slopes(surface: Microsurface) -> &'static str {
+    if surface.mean_slope {
+        "mean_slope: vec2f, slope_covariance: vec3f"
+    } else {
+        "slope_covariance: vec3f"
+    }
+}
