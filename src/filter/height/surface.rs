@@ -17,8 +17,8 @@ pub struct Microsurface {
     /// `NAME_masking`, the share of the surface that the view sees, is exported. Default: no, because engines have such
     /// a term.
     pub masking: bool,
-    /// The mean surface is tilted: exports take `mean_slope: vec2f` before `slope_covariance`. Slopes and directions are
-    /// those over the plane whose normal is z; below the horizon of the mean surface nothing is seen. Default: no.
+    /// The mean surface is tilted: exports take `mean_slope: vec2f` before `slope_covariance`. Slopes and directions
+    /// are over the plane whose normal is z; below the horizon of the mean surface nothing is seen. Default: no.
     pub mean_slope: bool,
 }
 
