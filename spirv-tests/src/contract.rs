@@ -1,7 +1,8 @@
 //! What the documentation of a shelf function promises: `Source:`, `Domain:` and `Error:`.
 //!
 //! `Domain:` names every parameter that is not a texture or a sampler, members of structures one by one
-//! (`cell.fraction in [0, 1]`), each with one of the ranges of [`Domain`]. `Error:` is a number with `absolute`,
+//! (`cell.fraction in [0, 1]`), each with one of the ranges of [`Domain`], or with the function of the shelf that makes
+//! the structure (`tails from height_skewed`), whose ranges are the maker's. `Error:` is a number with `absolute`,
 //! `relative` or `of 1 + the result`, or `exact`; a reason may follow behind a semicolon.
 
 use crate::kernel::Function;

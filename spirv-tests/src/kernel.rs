@@ -29,13 +29,18 @@ impl Function {
     /// # Errors
     /// A message where naga refuses one of them or one has no signature here.
     pub fn shelf() -> Result<Vec<Self>, String> {
+        let functions = Self::declared().into_iter();
+        functions.map(|(path, declaration)| Self::new(path, &declaration, String::new())?.with_makers()).collect()
+    }
+
+    /// The functions that the shelf declares, with their files.
+    pub(crate) fn declared() -> Vec<(&'static str, prefilter_wgsl::Declaration<'static>)> {
         let files = prefilter_wgsl::FILES.iter();
         let declarations = files.flat_map(|file| {
             let declarations = prefilter_wgsl::declarations(file.text).into_iter();
             declarations.map(|declaration| (file.path, declaration))
         });
-        let functions = declarations.filter(|(_, declaration)| declaration.kind == prefilter_wgsl::Kind::Function);
-        functions.map(|(path, declaration)| Self::new(path, &declaration, String::new())).collect()
+        declarations.filter(|(_, declaration)| declaration.kind == prefilter_wgsl::Kind::Function).collect()
     }
 
     /// The function of a text of one's own, which may mention the shelf.
@@ -47,17 +52,11 @@ impl Function {
         let declarations = prefilter_wgsl::declarations(text);
         let found = declarations.iter().find(|declaration| declaration.name == name);
         let found = found.ok_or_else(|| format!("the text has no function `{name}`"))?;
-        Self::new("", found, linked)
+        Self::new("", found, linked)?.with_makers()
     }
 
-    fn new(path: &str, declaration: &prefilter_wgsl::Declaration<'_>, text: String) -> Result<Self, String> {
-        let text = match path {
-            "" => text,
-            _ => {
-                let needed = prefilter_wgsl::mentioned(declaration.name);
-                needed.iter().map(|(_, needed)| format!("{}\n\n", needed.text)).collect()
-            }
-        };
+    pub(crate) fn new(path: &str, declaration: &prefilter_wgsl::Declaration<'_>, text: String) -> Result<Self, String> {
+        let text = if path.is_empty() { text } else { mentioned(declaration.name) };
         Ok(Self {
             name: declaration.name.to_owned(),
             path: path.to_owned(),
@@ -67,6 +66,14 @@ impl Function {
             signature: Signature::of(&text, declaration.name)?,
             text,
         })
+    }
+
+    /// Adds to the function's text what a function of the shelf needs besides.
+    pub(crate) fn needs(&mut self, name: &str) {
+        let needed = prefilter_wgsl::mentioned(name);
+        let missing = needed.iter().filter(|(_, needed)| !self.text.contains(needed.text));
+        let missing: String = missing.map(|(_, needed)| format!("{}\n\n", needed.text)).collect();
+        self.text += &missing;
     }
 
     /// The numbers that the function returns, flattened.
@@ -164,6 +171,11 @@ fn kernel_main(@builtin(global_invocation_id) id: vec3u, @builtin(num_workgroups
         let decode = |chunk: &[f32]| chunk.iter().zip(&outputs).map(|(&x, leaf)| decode(x, leaf.scalar)).collect();
         Ok(values.chunks(outputs.len()).map(decode).collect())
     }
+}
+
+/// The declarations of the shelf that a text mentions, and what they need.
+fn mentioned(text: &str) -> String {
+    prefilter_wgsl::mentioned(text).iter().map(|(_, needed)| format!("{}\n\n", needed.text)).collect()
 }
 
 /// The 4 bytes of a number, carried as a float.

@@ -10,6 +10,7 @@ pub mod harness;
 pub mod imaging;
 pub mod judged;
 pub mod kernel;
+mod made;
 pub mod maps;
 pub mod random;
 pub mod rows;

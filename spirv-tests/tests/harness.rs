@@ -220,3 +220,26 @@ fn contracts_fill_their_domains() {
     let upper = points[..10_000].iter().filter(|point| point[2] > 0.5).count();
     assert!((4_900..5_100).contains(&upper), "{upper}");
 }
+
+/// A structure from a function of the shelf stands for the function's parameters.
+#[test]
+fn a_structure_may_come_from_its_maker() {
+    let rate = |domain: &str| {
+        let text = format!(
+            "/// The rate.\n///\n/// Source: the definition.\n/// Domain: {domain}.\n/// Error: 3e-7 relative.\n\
+             fn rate(scale: f32, tails: height_tails) -> f32 {{ return scale * tails.rate; }}"
+        );
+        Function::in_text(&text, "rate")
+    };
+    let function = rate("scale in [1, 2], tails from height_skewed").unwrap();
+    let contract = Contract::of(&function).unwrap();
+    let names: Vec<&str> = contract.ranges.iter().map(|range| range.name.as_str()).collect();
+    assert_eq!(names, ["scale", "tails.deviation", "tails.skewness"]);
+    assert_eq!(contract.ranges[1].domain, Domain::Logarithmic(1e-6, 0.5));
+    judged(&function, Row::new("rate", |x| [x[0] / x[1]])).unwrap();
+    assert!(matches!(judged(&function, Row::new("rate", |x| [x[0] / x[2]])), Err(Failure::Broken(_))));
+    for wrong in ["tails from height_made", "tails from normal_cdf", "scale from height_skewed"] {
+        let message = rate(wrong).unwrap_err();
+        assert!(message.contains(&format!("says `{wrong}`")), "{message}");
+    }
+}

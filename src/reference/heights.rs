@@ -83,6 +83,21 @@ fn standardized(mean: f64, second: f64, third: f64, fourth: f64) -> [f64; 4] {
     [mean, deviation, third / (second * deviation), fourth / (second * second) - 3.0]
 }
 
+/// The Λ whose visible heights have a skewness, which rises with Λ: by bisection over log₂(1 + Λ) up to 20.
+pub fn lambda_of_skewness(skewness: f64) -> f64 {
+    let (mut low, mut high) = (0.0, 20.0);
+    for _ in 0..50 {
+        let middle = 0.5 * (low + high);
+        let [_, _, found, _] = moments(f64::exp2(middle) - 1.0);
+        if found < skewness {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    f64::exp2(0.5 * (low + high)) - 1.0
+}
+
 /// The probability that a visible height plus independent normal noise of mean 0 is below `height`: the convolution of
 /// Φ^(1+Λ) with the noise's density.
 pub fn perturbed_cumulative(height: f64, lambda: f64, noise_deviation: f64) -> f64 {

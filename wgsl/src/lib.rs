@@ -44,5 +44,6 @@ pub const FILES: &[File] = shelf![
     "visibility/smith.wgsl",
     "visibility/visibility.wgsl",
     "driver/moments.wgsl",
+    "filter/height.wgsl",
     "filter/texture.wgsl",
 ];

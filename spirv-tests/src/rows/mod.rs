@@ -5,6 +5,7 @@
 
 mod footprint;
 mod grid;
+mod height;
 mod heights;
 mod moments;
 mod normal;
@@ -132,6 +133,7 @@ pub fn all() -> Vec<Row> {
     let rooms = [
         footprint::rows(),
         grid::rows(),
+        height::rows(),
         heights::rows(),
         moments::rows(),
         normal::rows(),

@@ -9,7 +9,7 @@ use super::Row;
 use crate::maps;
 
 /// A map of one channel: its knots with the values on the left and on the right.
-fn map(knots: &[(f64, f64, f64)]) -> PiecewiseLinear {
+pub(super) fn map(knots: &[(f64, f64, f64)]) -> PiecewiseLinear {
     let knots = knots.iter().map(|&(at, left, right)| (at, [left, 0.0, 0.0, 0.0], [right, 0.0, 0.0, 0.0]));
     PiecewiseLinear { knots: knots.collect() }
 }
@@ -40,8 +40,8 @@ fn colors(map: &ColorMap) -> impl Fn(&[f64]) -> [f64; 4] {
     move |x| mean(&map, x[0], x[1])
 }
 
-/// A row of `texture_knots` for a map whose knots are laid out by hand.
-fn knots(map: &ColorMap) -> Row {
+/// A map's knots as a table, laid out by hand.
+pub(super) fn knots_table(map: &ColorMap) -> Table {
     let all = || map.knots().iter();
     let lines = [
         all().flat_map(|knot| knot.left).collect::<Vec<f32>>(),
@@ -50,9 +50,14 @@ fn knots(map: &ColorMap) -> Row {
     ];
     let level = Level { width: map.knots().len() as u32, height: 3, depth: 1, texels: lines.concat() };
     let (format, sampling) = (Format::Rgba32Float, Sampling::Loaded);
-    let table = Table { name: "knots".into(), format, sampling, levels: vec![level], error: 0.0 };
+    Table { name: "knots".into(), format, sampling, levels: vec![level], error: 0.0 }
+}
+
+/// A row of `texture_knots` for a map.
+fn knots(map: &ColorMap) -> Row {
+    let all = || map.knots().iter();
     let breakpoints: Vec<[f64; 2]> = all().flat_map(|knot| [1e-6, 0.01].map(|s| [knot.position.into(), s])).collect();
-    Row::new("texture_knots", colors(map)).table(table, Address::Clamp).at(breakpoints)
+    Row::new("texture_knots", colors(map)).table(knots_table(map), Address::Clamp).at(breakpoints)
 }
 
 /// A row of `texture_table` for a map over the whole domain.

@@ -1,0 +1,87 @@
+//! Ch in closed form: means of color maps over visible heights, by quadrature of the map times their density.
+
+use std::sync::OnceLock;
+
+use prefilter::gpu::Address;
+use prefilter::reference::height::{mean, nearest_tails};
+use prefilter::reference::heights::{lambda_of_skewness, moments};
+use prefilter::reference::texture::PiecewiseLinear;
+use prefilter::ColorMap;
+
+use super::texture::{knots_table, map};
+use super::Row;
+use crate::maps;
+
+/// Nodes of [`visible`], and the skewness between two.
+const NODES: usize = 264;
+const SPACING: f64 = 0.87 / 256.0;
+
+/// log₂(1 + Λ), mean and deviation of the visible heights of a skewness, by cubic interpolation, which leaves 1e-8: the
+/// bisection takes too long to be asked for each point.
+fn visible(skewness: f64) -> [f64; 3] {
+    static TABLE: OnceLock<Vec<[f64; 3]>> = OnceLock::new();
+    let table = TABLE.get_or_init(|| {
+        let node = |index: usize| {
+            let lambda = lambda_of_skewness(SPACING * index as f64);
+            let [mean, deviation, ..] = moments(lambda);
+            [(1.0 + lambda).log2(), mean, deviation]
+        };
+        (0..NODES).map(node).collect()
+    });
+    let at = (skewness / SPACING).clamp(0.0, 256.0);
+    let first = (at.floor() as usize).saturating_sub(1);
+    let x = at - first as f64;
+    let weights = [
+        -(x - 1.0) * (x - 2.0) * (x - 3.0) / 6.0,
+        x * (x - 2.0) * (x - 3.0) / 2.0,
+        -x * (x - 1.0) * (x - 3.0) / 2.0,
+        x * (x - 1.0) * (x - 2.0) / 6.0,
+    ];
+    std::array::from_fn(|number| (0..4).map(|node| weights[node] * table[first + node][number]).sum())
+}
+
+/// The map's mean over visible heights of a mean, deviation and skewness.
+fn over(map: &PiecewiseLinear, at: f64, deviation: f64, skewness: f64) -> [f64; 4] {
+    let [bits, own_mean, own_deviation] = visible(skewness);
+    let scale = deviation / own_deviation;
+    mean(map, at - scale * own_mean, scale, bits.exp2() - 1.0)
+}
+
+fn kink(x: &[f64]) -> [f64; 1] {
+    let &[distance, deviation, skewness] = x else { return [f64::NAN] };
+    // Visible heights end before the far knot: the kink goes on as far as it matters.
+    let far = distance.abs() + 40.0 * deviation;
+    [over(&map(&[(0.0, 0.0, 0.0), (far, far, far)]), distance, deviation, skewness)[0]]
+}
+
+fn step(x: &[f64]) -> [f64; 1] {
+    let &[distance, deviation, skewness] = x else { return [f64::NAN] };
+    [over(&map(&[(0.0, 0.0, 1.0)]), distance, deviation, skewness)[0]]
+}
+
+fn ramp(x: &[f64]) -> [f64; 1] {
+    let &[distance, width, deviation, skewness] = x else { return [f64::NAN] };
+    [over(&map(&[(0.0, 0.0, 0.0), (width, 1.0, 1.0)]), distance, deviation, skewness)[0]]
+}
+
+/// A row of `height_knots` for a map.
+fn knots(map: &ColorMap) -> Row {
+    let reference = map.reference();
+    Row::new("height_knots", move |x| over(&reference, x[0], x[1], x[2])).table(knots_table(map), Address::Clamp)
+}
+
+pub(super) fn rows() -> Vec<Row> {
+    let steps = [[0.0, 1e-6, 0.3], [0.0, 0.5, 0.0], [-0.8, 0.2, 0.86], [0.6, 0.1, 0.86]];
+    // Narrow ramps turn into steps at width/deviation = 0.02.
+    let widths = [0.0, 0.2, -0.3, 1.0].map(|reach| [reach * 0.3, 0.02 * 0.3, 0.3, 0.5]);
+    let hard = maps::random(32, true, 7).expect("32 stops are a map");
+    vec![
+        knots(&maps::named("terrain").expect("the file holds terrain")),
+        knots(&hard),
+        Row::new("height_skewed", |x| nearest_tails(x[0], visible(x[1])[0].exp2() - 1.0)),
+        Row::new("height_excess", |x| [kink(x)[0] - x[0].max(0.0)]).at(steps),
+        Row::new("height_kink", kink).at(steps),
+        Row::new("height_step", step).at(steps),
+        Row::new("height_ramp", ramp).at(widths).at([[1e-5, 1e-5, 1e-6, 0.2]]),
+    ]
+}
