@@ -65,7 +65,8 @@ impl Scene {
     /// are seen and lit, and apart from it `NAME_visibility(slope_covariance, view, light)`, the share of what is seen
     /// that is lit.
     ///
-    /// The ranges are those of the heights' mean and deviation. Bounds are against Smith's model, for Λ of view and
+    /// The ranges are those of the heights' mean and deviation, and of their sum with noise where the
+    /// [`Microsurface`] is perturbed. Bounds are against Smith's model, for Λ of view and
     /// light that add up to 1e4 at most, and but for [`HeightTier::Exact`] for deviations from a thousandth of the
     /// largest mean.
     ///

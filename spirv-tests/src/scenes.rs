@@ -43,6 +43,7 @@ pub fn heights() -> Result<Vec<(&'static str, Scene)>> {
     let masked = Microsurface { shadowing: false, masking: true, ..Microsurface::default() };
     let hotspot = Microsurface { hotspot: true, ..Microsurface::default() };
     let tilted = Microsurface { mean_slope: true, ..Microsurface::default() };
+    let perturbed = Microsurface { perturbed: true, ..Microsurface::default() };
     Ok(vec![
         ("height_default", Scene::new("lichen").height(lichen()?)),
         ("height_paper", Scene::new("lichen").height(lichen()?).height_tier(HeightTier::Paper)),
@@ -53,6 +54,7 @@ pub fn heights() -> Result<Vec<(&'static str, Scene)>> {
         ("height_bands", bands()?),
         ("height_bands_hotspot", bands()?.microsurface(hotspot)),
         ("height_tilted", terrain()?.microsurface(tilted).height_tier(HeightTier::Mixture).tier(FAST)),
+        ("height_perturbed", terrain()?.microsurface(perturbed).height_tier(HeightTier::Mixture).tier(EXACT)),
         ("height_masked", Scene::new("moss").height(four).microsurface(masked).tier(FAST)),
     ])
 }

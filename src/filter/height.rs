@@ -16,7 +16,7 @@ use crate::accuracy::{Bound, Ranges};
 use crate::transfer::color_map::{ColorMap, Colors};
 use crate::transfer::pieces::Pieces;
 use crate::Error;
-use surface::step_error;
+use surface::{perturbed, step_error, visible};
 
 pub use surface::Microsurface;
 pub use tier::HeightTier;
@@ -47,21 +47,12 @@ pub(crate) fn over(
     name: &str,
     arguments: &str,
 ) -> Filter {
-    let at = |mean: &str, width: &str| format!("{name}_texture(mean + s * {mean}, s * {width}{arguments})");
-    let moments = |function: &str| {
-        format!("    let visible = {function}(seen + lit);\n    return {};\n", at("visible.x", "visible.y"))
-    };
-    let mut body = format!("    let s = clamp(deviation, 0.0, {});\n", number(ranges.deviation));
-    body += &match tier {
-        HeightTier::Paper => moments("heights_moments_paper"),
-        HeightTier::Gaussian | HeightTier::Exact => moments("heights_moments_fast"),
-        HeightTier::Mixture => format!(
-            "    let visible = heights_mixture(seen + lit);\n    let high = {};\n    let low = {};\n    return low + \
-             0.375 * (high - low);\n",
-            at("visible.x", "visible.y"),
-            at("visible.z", "visible.w")
-        ),
-    };
+    let reach = number(ranges.deviation);
+    let mut body = format!("    let s = clamp(deviation, 0.0, {reach});\n");
+    if surface.perturbed {
+        body += &format!("    let n = clamp(noise_deviation, 0.0, {reach});\n");
+    }
+    body += &colored(tier, surface, |mean, width| format!("{name}_texture({mean}, {width}{arguments})"));
     let sum = (variation(map) * step_error(tier, surface)) as f32 + texture.bound.value();
     let bound = match texture.bound {
         // Neither the color nor the integral leaves the hull.
@@ -71,11 +62,44 @@ pub(crate) fn over(
     Filter { body, tables: texture.tables.clone(), bound, trips: texture.trips }
 }
 
+/// The statements that return the color, from the expression of C0 for a mean and a deviation.
+fn colored(tier: HeightTier, surface: Microsurface, texture: impl Fn(&str, &str) -> String) -> String {
+    let normal = |moments: &str| {
+        let (statement, [mean, width]) = visible(moments, surface);
+        format!("{statement}    return {};\n", texture(mean, width))
+    };
+    match tier {
+        HeightTier::Paper if surface.perturbed => normal("vec3f(heights_moments_paper(seen + lit), 0.0)"),
+        HeightTier::Paper => normal("heights_moments_paper(seen + lit)"),
+        HeightTier::Gaussian | HeightTier::Exact => normal("heights_moments_fast(seen + lit)"),
+        HeightTier::Mixture => {
+            let mut text = "    let visible = heights_mixture(seen + lit);\n".to_owned();
+            let [high, low] = if surface.perturbed {
+                for (name, part) in [("higher", "visible.xy"), ("lower", "visible.zw")] {
+                    text += &format!("    let {name} = {};\n", perturbed(&format!("vec3f({part}, 0.0)")));
+                }
+                [texture("higher.x", "higher.y"), texture("lower.x", "lower.y")]
+            } else {
+                let of = |mean: &str, width: &str| texture(&format!("mean + s * {mean}"), &format!("s * {width}"));
+                [of("visible.x", "visible.y"), of("visible.z", "visible.w")]
+            };
+            let sum = "low + 0.375 * (high - low)";
+            text + &format!("    let high = {high};\n    let low = {low};\n    return {sum};\n")
+        }
+    }
+}
+
 /// The filter of bands by the distribution itself: a probability an edge.
 ///
 /// # Errors
-/// A map with gradients, and dynamic colors.
+/// A map with gradients, dynamic colors, and noise on the heights.
 pub(crate) fn bands(map: &ColorMap, colors: Colors, surface: Microsurface, ranges: Ranges) -> Result<Filter, Error> {
+    if surface.perturbed {
+        let (tier, other) = (HeightTier::Exact, HeightTier::Mixture);
+        return Err(Error::Conflict(format!(
+            "{tier} know no noise on the heights, whose sum has no closed form; {other} do"
+        )));
+    }
     if !banded(map) || colors == Colors::Dynamic {
         let why = if colors == Colors::Dynamic { "dynamic colors" } else { "this map, which has gradients" };
         let tier = HeightTier::Exact;

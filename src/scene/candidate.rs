@@ -114,7 +114,7 @@ impl Scene {
         let mut candidates = Vec::new();
         let free = self.height_tier.is_none() && self.tier.is_none();
         if self.height_tier == Some(HeightTier::Exact)
-            || (free && height::banded(map) && self.colors == Colors::Constant)
+            || (free && height::banded(map) && self.colors == Colors::Constant && !self.microsurface.perturbed)
         {
             candidates.push(self.bands(map)?);
         }

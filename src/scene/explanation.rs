@@ -43,8 +43,9 @@ impl Scene {
         } else {
             String::new()
         };
+        let sum = if self.microsurface.perturbed { " with noise" } else { "" };
         format!(
-            "{reach}, deviations from {floor:.1e}{tilted}: a step errs by {step:.1e}, times the total variation \
+            "{reach}, deviations{sum} from {floor:.1e}{tilted}: a step errs by {step:.1e}, times the total variation \
              {variation:.3}"
         )
     }

@@ -2,14 +2,18 @@
 
 mod extremes;
 mod figures;
+mod perturbed;
 mod scenes;
+mod tilted;
 mod visibility;
 
 use std::error::Error;
 
 use prefilter::gpu::Device;
 use prefilter::reference::height::mean;
+use prefilter::reference::perturbed::mean as perturbed_mean;
 use prefilter::reference::smith::Along;
+use prefilter::reference::texture::PiecewiseLinear;
 use prefilter::reference::visibility::{azimuth, independence};
 use prefilter::{ColorMap, Kernel, Ranges, Scene, Tier};
 use spirv_tests::exports::ExportKernel;
@@ -41,6 +45,8 @@ struct Call {
     numbers: [f32; 11],
     /// That of the mean surface, for scenes that take it.
     mean_slope: [f32; 2],
+    /// Mean and deviation of the noise, likewise.
+    noise: [f32; 2],
     /// Λ of view and light.
     parts: [f64; 2],
     lambda: f64,
@@ -60,7 +66,7 @@ impl Call {
         let parts = [view, light].map(|direction| lambda(direction, [xx, xy, yy]));
         let ([a, b, c], [d, e, f]) = (view, light);
         let numbers = [mean, deviation, xx, xy, yy, a, b, c, d, e, f];
-        Self { numbers, mean_slope: [0.0; 2], parts, lambda: parts[0] + parts[1] }
+        Self { numbers, mean_slope: [0.0; 2], noise: [0.0; 2], parts, lambda: parts[0] + parts[1] }
     }
 
     fn three(&self, at: usize) -> [f32; 3] {
@@ -82,8 +88,28 @@ impl Call {
     fn arguments(&self, signature: &str) -> Vec<f32> {
         let part = |name: &str, numbers: &[f32]| if signature.contains(name) { numbers.to_vec() } else { Vec::new() };
         let [heights, slopes] = [&self.numbers[..2], &self.numbers[2..8]];
-        let (tilt, light) = (part("mean_slope:", &self.mean_slope), part("light:", &self.numbers[8..]));
-        [heights.to_vec(), tilt, slopes.to_vec(), light].concat()
+        let (noise, tilt) = (part("noise_mean:", &self.noise), part("mean_slope:", &self.mean_slope));
+        let light = part("light:", &self.numbers[8..]);
+        [heights.to_vec(), noise, tilt, slopes.to_vec(), light].concat()
+    }
+
+    /// Heights with noise whose sum has the mean and the deviation that the heights had: those have a mean of their own
+    /// and a share of the variance.
+    fn perturbed(mut self, mean: f32, share: f64) -> Self {
+        let [at, deviation, ..] = self.numbers;
+        let part = |share: f64| (0.999_999 * f64::from(deviation) * share.sqrt()) as f32;
+        self.noise = [at - mean, part(1.0 - share)];
+        self.numbers[..2].copy_from_slice(&[mean, part(share)]);
+        self
+    }
+
+    /// The map's mean by quadratures.
+    fn truth(&self, map: &PiecewiseLinear) -> [f64; 4] {
+        let [at, deviation, ..] = self.numbers.map(f64::from);
+        match self.noise {
+            [0.0, 0.0] => mean(map, at, deviation, self.lambda),
+            noise => perturbed_mean(map, at, deviation, self.lambda, noise.map(f64::from)),
+        }
     }
 
     /// The same where nothing casts shadows.
@@ -131,7 +157,7 @@ fn error(device: &Device, scene: &Scene, calls: &[Call]) -> Result<f64, Fault> {
     let halves = if module.tables().is_empty() { 0.0 } else { 5e-4 };
     let mut worst = 0.0f64;
     for (color, call) in colors.iter().zip(calls) {
-        let truth = mean(&reference, call.numbers[0].into(), call.numbers[1].into(), call.lambda);
+        let truth = call.truth(&reference);
         for channel in 0..map.channels() {
             let slack = halves * high[channel].abs().max(low[channel].abs());
             let hull = low[channel] - slack..=high[channel] + slack;

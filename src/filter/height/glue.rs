@@ -64,17 +64,24 @@ fn {name}_masking({slopes}, view: vec3f) -> f32 {{
 ///
 /// `mean` and `deviation` of the heights are in the unit of the map's positions. Directions are unit vectors away from
 /// the surface, z along its normal; the covariance of its slopes is xx, xy, yy. Below a horizon the color is that of
-/// the highest heights.{}
-fn {name}_height(mean: f32, deviation: f32, {}, view: vec3f{light}{parameters}) -> {} {{
+/// the highest heights.{}{}
+fn {name}_height(mean: f32, deviation: f32, {}{}, view: vec3f{light}{parameters}) -> {} {{
 {}{body}}}
 ",
+            if surface.perturbed { PERTURBED } else { "" },
             if surface.mean_slope { TILTED } else { "" },
+            if surface.perturbed { "noise_mean: f32, noise_deviation: f32, " } else { "" },
             slopes(surface),
             color_type(map),
             lambdas(tier, surface)
         )
     }
 }
+
+/// What `NAME_height` says of the noise on the heights.
+const PERTURBED: &str = "
+///
+/// `noise_mean` and `noise_deviation` are those of independent normal noise on the heights, in the same unit.";
 
 /// What `NAME_height` says of its mean slope.
 const TILTED: &str = "

@@ -20,11 +20,15 @@ pub struct Microsurface {
     /// The mean surface is tilted: exports take `mean_slope: vec2f` before `slope_covariance`. Slopes and directions
     /// are over the plane whose normal is z; below the horizon of the mean surface nothing is seen. Default: no.
     pub mean_slope: bool,
+    /// Independent normal noise lies on the heights: `NAME_height` takes its mean and deviation, `noise_mean` and
+    /// `noise_deviation`, behind those of the heights. The scene's ranges are then those of the sum: its mean is the
+    /// sum of both, its deviation the square root of the sum of both variances. Default: no.
+    pub perturbed: bool,
 }
 
 impl Default for Microsurface {
     fn default() -> Self {
-        Self { shadowing: true, hotspot: false, masking: false, mean_slope: false }
+        Self { shadowing: true, hotspot: false, masking: false, mean_slope: false, perturbed: false }
     }
 }
 
@@ -51,6 +55,24 @@ pub(crate) fn lambdas(tier: HeightTier, surface: Microsurface) -> String {
     text
 }
 
+/// The statement that names `visible`: mean, deviation and maybe skewness of the visible heights, from an expression of
+/// those in the heights' own deviations; and the mean and the deviation of what is colored.
+///
+/// With noise all three are those of the sum, in the unit of the map. `s` and `n` are the deviations of the heights and
+/// of the noise.
+pub(crate) fn visible(moments: &str, surface: Microsurface) -> (String, [&'static str; 2]) {
+    if surface.perturbed {
+        let statement = format!("    let visible = {};\n", perturbed(moments));
+        return (statement, ["visible.x", "visible.y"]);
+    }
+    (format!("    let visible = {moments};\n"), ["mean + s * visible.x", "s * visible.y"])
+}
+
+/// The moments of the sum of heights with these moments and the noise.
+pub(crate) fn perturbed(moments: &str) -> String {
+    format!("heights_perturbed({moments}, mean, s, noise_mean, n)")
+}
+
 /// What a step error gains over a tilted surface, for directions that win [`RISE`] over it and mean slopes up to 1:
 /// at most 1/e of the 1e-7/rise that the rounding of the rise costs Λ, relative to 1 + Λ.
 const TILTED: f64 = 4e-6;
@@ -60,7 +82,11 @@ pub(crate) const RISE: f64 = 0.01;
 
 /// The step error of a tier over a surface.
 pub(crate) fn step_error(tier: HeightTier, surface: Microsurface) -> f64 {
-    tier::step_error(tier) + if surface.mean_slope { TILTED } else { 0.0 }
+    let tilted = if surface.mean_slope { TILTED } else { 0.0 };
+    // Noise enlarges no step error: the difference of the cumulative functions of both sums, ∫ (F − G)(h − r) N(r) dr,
+    // is a mean of the difference without noise. One more mean is added, which rounds.
+    let perturbed = if surface.perturbed { tier::ROUNDED } else { 0.0 };
+    tier::step_error(tier) + tilted + perturbed
 }
 
 /// What no bound of the heights covers, and how much that was measured to be.

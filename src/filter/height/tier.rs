@@ -48,7 +48,7 @@ const EXACT: f64 = 6e-6;
 const LAMBDA: f64 = 4e-5;
 
 /// What rounding of the mean visible height adds for deviations from [`FLOOR`] on: φ(0) 2^-24 / (0.304 · 1e-3).
-const ROUNDED: f64 = 1e-4;
+pub(crate) const ROUNDED: f64 = 1e-4;
 
 /// The smallest deviation that bounds of the tiers over C0 hold from, as a part of the largest mean.
 const FLOOR: f32 = 1e-3;

@@ -1,0 +1,53 @@
+//! Tilted mean surfaces: steps near their horizons.
+
+use prefilter::gpu::Device;
+use prefilter::{ColorMap, HeightTier, Microsurface, Ranges, Scene};
+use spirv_tests::random::Random;
+
+use crate::{covariance, error, Call, Outcome, EXACT};
+
+/// A mean slope up to 1.
+fn mean_slope(random: &mut Random) -> [f32; 2] {
+    let (size, turn) = (random.unit().sqrt(), std::f64::consts::TAU * random.unit());
+    [size * turn.cos(), size * turn.sin()].map(|value| value as f32)
+}
+
+/// The same calls over tilted mean surfaces, those that are below no horizon.
+pub fn tilted(random: &mut Random, calls: impl Iterator<Item = Call>) -> Vec<Call> {
+    calls.filter_map(|call| call.tilted(mean_slope(random))).filter(|call| call.lambda <= 1e4).collect()
+}
+
+/// A direction that wins little over a mean surface: about as much as bounds ask for.
+fn near_the_horizon(random: &mut Random, mean_slope: [f32; 2]) -> [f32; 3] {
+    let (turn, rise) = (std::f64::consts::TAU * random.unit(), random.between(0.0102, 0.05));
+    let along = f64::from(mean_slope[0]) * turn.cos() + f64::from(mean_slope[1]) * turn.sin();
+    // sin α − s cos α = rise, α being the angle over the plane.
+    let angle = along.atan() + (rise / (1.0 + along * along).sqrt()).asin();
+    [angle.cos() * turn.cos(), angle.cos() * turn.sin(), angle.sin()].map(|value| value as f32)
+}
+
+/// Over tilted mean surfaces steps err as over level ones, but for what the rise over the surface loses in f32.
+#[test]
+fn tilted_surfaces_keep_the_figures() -> Outcome {
+    let device = Device::new()?;
+    let step = ColorMap::bands([0.0; 3], [(0.0, [1.0; 3])])?;
+    let ranges = Ranges { mean: (-6.0, 3.0), deviation: 1.0 };
+    let mut random = Random::new(17);
+    let mut calls = Vec::new();
+    while calls.len() < 30_000 {
+        let slope = mean_slope(&mut random);
+        let [view, light] = [near_the_horizon(&mut random, slope), near_the_horizon(&mut random, slope)];
+        let at = (1.0 - 6.0 * random.unit()) as f32;
+        calls.extend(Call::new(at, 1.0, covariance(&mut random), view, light).tilted(slope));
+    }
+    let surface = Microsurface { mean_slope: true, ..Microsurface::default() };
+    let scene = Scene::new("edge").height(step).microsurface(surface).ranges(ranges);
+    for (tier, figure) in [(HeightTier::Exact, 2e-6), (HeightTier::Mixture, 6e-3), (HeightTier::Gaussian, 4.5e-2)] {
+        let scene = scene.clone().height_tier(tier);
+        let scene = if tier == HeightTier::Exact { scene } else { scene.tier(EXACT) };
+        let found = error(&device, &scene, &calls)?;
+        println!("{tier} over tilted surfaces: a step errs by {found:.3e}");
+        assert!(found <= figure && found > figure / 4.0, "{tier}: {found}");
+    }
+    Ok(())
+}
