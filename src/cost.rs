@@ -47,11 +47,17 @@ impl std::fmt::Display for Cost {
 /// multiply-adds and, of four halves, 2 filtered fetches a clock.
 const FETCH: usize = 64;
 
-/// The cost of calling a function; `trips` gives the iterations of the loops in a function, by its name.
-pub(crate) fn call(module: &naga::Module, info: &ModuleInfo, name: &str, trips: &BTreeMap<String, usize>) -> Cost {
+/// The cost of calling a function, if there is one; `trips` gives the iterations of the loops in a function, by its
+/// name.
+pub(crate) fn call(
+    module: &naga::Module,
+    info: &ModuleInfo,
+    name: &str,
+    trips: &BTreeMap<String, usize>,
+) -> Option<Cost> {
     let counter = Counter { module, info, trips };
     let found = module.functions.iter().find(|(_, function)| function.name.as_deref() == Some(name));
-    found.map_or(Cost::default(), |(handle, _)| counter.function(handle))
+    found.map(|(handle, _)| counter.function(handle))
 }
 
 struct Counter<'a> {

@@ -1,10 +1,11 @@
 //! Validated text, and the other languages that naga writes from it.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 
+use crate::cost::{self, Cost};
 use crate::linkage;
 use crate::module::Module;
 use crate::Error;
@@ -38,6 +39,19 @@ impl Shader {
 
     pub(crate) fn parsed(&self) -> (&naga::Module, &ModuleInfo) {
         (&self.parsed.0, &self.parsed.1)
+    }
+
+    /// What a call of one of its functions costs, each loop taken for a single iteration; nothing where there is no
+    /// function of this name.
+    ///
+    /// ```
+    /// let shader = prefilter::link(&[], "fn half(x: f32) -> f32 { return 0.5 * x; }")?;
+    /// assert_eq!(shader.cost("half").map(|cost| cost.operations), Some(1));
+    /// # Ok::<(), prefilter::Error>(())
+    /// ```
+    pub fn cost(&self, function: &str) -> Option<Cost> {
+        let (module, info) = self.parsed();
+        cost::call(module, info, function, &BTreeMap::new())
     }
 
     /// SPIR-V 1.3, for Vulkan 1.1 and later where the text has entry points. The same text gives the same words.

@@ -50,6 +50,8 @@ pub fn heights() -> Result<Vec<(&'static str, Scene)>> {
         ("height_gaussian", terrain()?.height_tier(HeightTier::Gaussian).tier(FAST)),
         ("height_mixture", terrain()?.height_tier(HeightTier::Mixture).tier(EXACT)),
         ("height_table", terrain()?.height_tier(HeightTier::Mixture).tier(Tier::Table)),
+        ("height_skewed", terrain()?.height_tier(HeightTier::Skewed)),
+        ("height_skewed_dynamic", terrain()?.colors(Colors::Dynamic).height_tier(HeightTier::Skewed)),
         ("height_dynamic", terrain()?.colors(Colors::Dynamic).height_tier(HeightTier::Mixture).tier(EXACT)),
         ("height_bands", bands()?),
         ("height_bands_hotspot", bands()?.microsurface(hotspot)),

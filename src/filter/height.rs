@@ -8,6 +8,7 @@
 //! sections 3 and 5.1.
 
 pub(crate) mod glue;
+pub(crate) mod skewed;
 pub(crate) mod surface;
 pub(crate) mod tier;
 
@@ -16,7 +17,7 @@ use crate::accuracy::{Bound, Ranges};
 use crate::transfer::color_map::{ColorMap, Colors};
 use crate::transfer::pieces::Pieces;
 use crate::Error;
-use surface::{perturbed, step_error, visible};
+use surface::{clamped, perturbed, step_error, visible};
 
 pub use surface::Microsurface;
 pub use tier::HeightTier;
@@ -47,11 +48,7 @@ pub(crate) fn over(
     name: &str,
     arguments: &str,
 ) -> Filter {
-    let reach = number(ranges.deviation);
-    let mut body = format!("    let s = clamp(deviation, 0.0, {reach});\n");
-    if surface.perturbed {
-        body += &format!("    let n = clamp(noise_deviation, 0.0, {reach});\n");
-    }
+    let mut body = clamped(surface, ranges);
     body += &colored(tier, surface, |mean, width| format!("{name}_texture({mean}, {width}{arguments})"));
     let sum = (variation(map) * step_error(tier, surface)) as f32 + texture.bound.value();
     let bound = match texture.bound {
@@ -71,7 +68,7 @@ fn colored(tier: HeightTier, surface: Microsurface, texture: impl Fn(&str, &str)
     match tier {
         HeightTier::Paper if surface.perturbed => normal("vec3f(heights_moments_paper(seen + lit), 0.0)"),
         HeightTier::Paper => normal("heights_moments_paper(seen + lit)"),
-        HeightTier::Gaussian | HeightTier::Exact => normal("heights_moments_fast(seen + lit)"),
+        HeightTier::Gaussian | HeightTier::Skewed | HeightTier::Exact => normal("heights_moments_fast(seen + lit)"),
         HeightTier::Mixture => {
             let mut text = "    let visible = heights_mixture(seen + lit);\n".to_owned();
             let [high, low] = if surface.perturbed {

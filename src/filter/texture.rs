@@ -74,7 +74,7 @@ pub(crate) fn color_type(map: &ColorMap) -> &'static str {
     }
 }
 
-fn swizzle(map: &ColorMap) -> &'static str {
+pub(super) fn swizzle(map: &ColorMap) -> &'static str {
     if map.channels() == 3 {
         ".xyz"
     } else {
@@ -274,7 +274,7 @@ fn table(map: &ColorMap, colors: Colors, ranges: Ranges) -> Filter {
 }
 
 /// Positions and the largest slope changes there.
-fn bends(map: &ColorMap) -> Vec<(f64, f64)> {
+pub(super) fn bends(map: &ColorMap) -> Vec<(f64, f64)> {
     let kinks = Pieces::new(map, |_, _| false).kinks.into_iter();
     let largest = |change: [f32; 4]| change.iter().map(|channel| f64::from(channel.abs())).fold(0.0, f64::max);
     kinks.map(|kink| (kink.position.into(), largest(kink.change))).collect()

@@ -7,6 +7,7 @@ use super::Scene;
 use crate::accuracy::Ranges;
 use crate::cost::{self, Cost};
 use crate::filter::height::glue::Glue;
+use crate::filter::height::skewed::skewed;
 use crate::filter::height::tier::texture_ranges;
 use crate::filter::height::{self, HeightTier};
 use crate::filter::texture::{color_type, filter, Filter};
@@ -60,7 +61,7 @@ impl Scene {
                 return Err(Error::Conflict(what));
             }
         };
-        if candidates.len() == 1 && (self.tier.is_some() || self.height_tier == Some(HeightTier::Exact)) {
+        if candidates.len() == 1 && (self.tier.is_some() || self.height_tier.is_some_and(HeightTier::stands_alone)) {
             return Ok((candidates.remove(0), candidates));
         }
         let asked = self.accuracy.unwrap_or_default().max_filter_error;
@@ -111,17 +112,12 @@ impl Scene {
                 "a driver goes with a `texture`; a `height` takes mean and deviation".to_owned(),
             ));
         }
-        let mut candidates = Vec::new();
-        let free = self.height_tier.is_none() && self.tier.is_none();
-        if self.height_tier == Some(HeightTier::Exact)
-            || (free && height::banded(map) && self.colors == Colors::Constant && !self.microsurface.perturbed)
-        {
-            candidates.push(self.bands(map)?);
-        }
-        let named = self.height_tier.map_or(HEIGHTS.to_vec(), |tier| vec![tier]);
-        if named == [HeightTier::Exact] {
+        let alone = self.standing_alone(map).into_iter().map(|tier| self.alone(map, tier));
+        let mut candidates = alone.collect::<Result<Vec<_>, _>>()?;
+        if self.height_tier.is_some_and(HeightTier::stands_alone) {
             return Ok(candidates);
         }
+        let named = self.height_tier.map_or(HEIGHTS.to_vec(), |tier| vec![tier]);
         let (name, surface, ranges) = (&self.name, self.microsurface, self.chosen_ranges());
         let below = texture_ranges(ranges);
         for texture_tier in self.tiers() {
@@ -140,15 +136,32 @@ impl Scene {
         Ok(candidates)
     }
 
-    /// The candidate of bands, which need no C0.
-    fn bands(&self, map: &ColorMap) -> Result<Candidate, Error> {
-        let tier = HeightTier::Exact;
-        if let (Some(_), Some(named)) = (self.height_tier, self.tier) {
-            return Err(Error::Conflict(format!("{tier} stand on no color map: leave out the tier, {named}")));
+    /// The tiers of heights that need no C0 and that the scene names or allows.
+    fn standing_alone(&self, map: &ColorMap) -> Vec<HeightTier> {
+        match (self.height_tier, self.tier) {
+            (Some(tier), _) if tier.stands_alone() => vec![tier],
+            (Some(_), _) | (None, Some(_)) => Vec::new(),
+            (None, None) => {
+                let constant = self.colors == Colors::Constant && !self.microsurface.perturbed;
+                let bands = (constant && height::banded(map)).then_some(HeightTier::Exact);
+                let table = self.accuracy.unwrap_or_default().tables.then_some(HeightTier::Skewed);
+                bands.into_iter().chain(table).collect()
+            }
+        }
+    }
+
+    /// The candidate of a tier of heights that needs no C0.
+    fn alone(&self, map: &ColorMap, tier: HeightTier) -> Result<Candidate, Error> {
+        if let Some(named) = self.tier {
+            return Err(Error::Conflict(format!("{named} does not go with {tier}: leave out the tier of values")));
         }
         let (name, surface, label) = (&self.name, self.microsurface, tier.to_string());
-        let filter = height::bands(map, self.colors, surface, self.chosen_ranges())?;
-        let glue = Glue { name, map, tier, label: &label, surface, parameters: "" }.text(&filter);
+        let filter = match tier {
+            HeightTier::Skewed => skewed(map, self.colors, surface, self.chosen_ranges()),
+            _ => height::bands(map, self.colors, surface, self.chosen_ranges())?,
+        };
+        let parameters = parameters(&filter.tables);
+        let glue = Glue { name, map, tier, label: &label, surface, parameters: &parameters }.text(&filter);
         self.candidate(label, Some(tier), filter.bound.value(), filter, glue)
     }
 
@@ -168,7 +181,7 @@ impl Scene {
         trips.extend(self.driver.map(|driver| (format!("{}_color", self.name), driver.trips())));
         let (module, info) = linked.parsed();
         let table_bytes = filter.tables.iter().map(Table::bytes).sum();
-        let calls = self.exports(&glue).into_iter().map(|export| cost::call(module, info, &export.name, &trips));
+        let calls = self.exports(&glue).into_iter().filter_map(|export| cost::call(module, info, &export.name, &trips));
         let cost = Cost { table_bytes, ..calls.max_by_key(|cost| cost.weight()).unwrap_or_default() };
         Ok(Candidate { label, height, filter, judged, glue, linked, cost })
     }

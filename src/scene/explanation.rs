@@ -44,16 +44,17 @@ impl Scene {
             String::new()
         };
         let sum = if self.microsurface.perturbed { " with noise" } else { "" };
+        let beyond = if tier == HeightTier::Skewed { "beyond the table " } else { "" };
         format!(
-            "{reach}, deviations{sum} from {floor:.1e}{tilted}: a step errs by {step:.1e}, times the total variation \
-             {variation:.3}"
+            "{reach}, deviations{sum} from {floor:.1e}{tilted}: {beyond}a step errs by {step:.1e}, times the total \
+             variation {variation:.3}"
         )
     }
 
     fn reason(&self, chosen: &Candidate) -> String {
         let named = "the scene names ";
         let free = match (chosen.height, self.tier, self.height_tier) {
-            (None, Some(_), _) | (Some(_), Some(_), Some(_)) | (_, _, Some(HeightTier::Exact)) => {
+            (None, Some(_), _) | (Some(_), Some(_), Some(_)) | (_, _, Some(HeightTier::Skewed | HeightTier::Exact)) => {
                 return named.to_owned() + "this tier";
             }
             (Some(_), None, Some(_)) => named.to_owned() + "the tier of heights; that of the color map is ",

@@ -22,7 +22,7 @@ pub(crate) fn bake(name: &str, map: &PiecewiseLinear, means: Axis, deviations: A
     }
 }
 
-fn half_rounded(value: f64) -> f32 {
+pub(super) fn half_rounded(value: f64) -> f32 {
     half::f16::from_f64(value).to_f32()
 }
 
@@ -75,7 +75,7 @@ fn bilinear(texels: &[f32], width: usize, column: f64, row: f64) -> [f64; 4] {
 }
 
 /// The results of all rows in order, on as many threads as the machine has.
-fn rows(count: usize, row: impl Fn(usize) -> Vec<f32> + Sync) -> Vec<f32> {
+pub(super) fn rows(count: usize, row: impl Fn(usize) -> Vec<f32> + Sync) -> Vec<f32> {
     let threads = std::thread::available_parallelism().map_or(1, |threads| threads.get()).min(count.max(1));
     let mut results: Vec<Vec<f32>> = vec![Vec::new(); count];
     let share = count.div_ceil(threads).max(1);

@@ -23,6 +23,8 @@ pub enum Spacing {
     Linear,
     /// Evenly in the cube root of the value, a node on each end; the low end is 0.
     CubeRoot,
+    /// Evenly in the square root of the value, a node on each end; the low end is 0.
+    SquareRoot,
     /// Evenly at the centers of `count` cells, as a texture's texels lie in [0, 1].
     Centers,
 }
@@ -85,6 +87,7 @@ impl Axis {
         match self.spacing {
             Spacing::Linear => self.low + span * part,
             Spacing::CubeRoot => self.low + span * part * part * part,
+            Spacing::SquareRoot => self.low + span * part * part,
             Spacing::Centers => self.low + span * (number + 0.5) / self.count as f64,
         }
     }
@@ -96,6 +99,7 @@ impl Axis {
         let number = match self.spacing {
             Spacing::Linear => part * last,
             Spacing::CubeRoot => part.max(0.0).cbrt() * last,
+            Spacing::SquareRoot => part.max(0.0).sqrt() * last,
             Spacing::Centers => part * self.count as f64 - 0.5,
         };
         number.clamp(0.0, last)

@@ -1,4 +1,4 @@
-//! Ch in closed form: means of color maps over visible heights, by quadrature of the map times their density.
+//! Ch: means of color maps over visible heights, by quadrature of the map times their density.
 
 use std::sync::OnceLock;
 
@@ -6,7 +6,7 @@ use prefilter::gpu::Address;
 use prefilter::reference::height::{mean, nearest_tails};
 use prefilter::reference::heights::{lambda_of_skewness, moments};
 use prefilter::reference::texture::PiecewiseLinear;
-use prefilter::ColorMap;
+use prefilter::{ColorMap, Colors, HeightTier, Ranges, Scene};
 
 use super::texture::{knots_table, map};
 use super::Row;
@@ -70,13 +70,26 @@ fn knots(map: &ColorMap) -> Row {
     Row::new("height_knots", move |x| over(&reference, x[0], x[1], x[2])).table(knots_table(map), Address::Clamp)
 }
 
+/// A row of `height_table` for a map over the whole domain.
+fn table(map: &ColorMap) -> Row {
+    // Of dynamic colors, whose axes do not depend on the map: the contract can name them.
+    let ranges = Ranges { mean: (-0.25, 1.25), deviation: 0.5 };
+    let scene = Scene::new("judged").height(map.clone()).colors(Colors::Dynamic).ranges(ranges);
+    let module = scene.height_tier(HeightTier::Skewed).module().expect("the ranges are those of the contract");
+    let reference = map.reference();
+    Row::new("height_table", move |x| over(&reference, x[0], x[1], x[2]))
+        .table(module.tables()[0].clone(), Address::Clamp)
+}
+
 pub(super) fn rows() -> Vec<Row> {
     let steps = [[0.0, 1e-6, 0.3], [0.0, 0.5, 0.0], [-0.8, 0.2, 0.86], [0.6, 0.1, 0.86]];
     // Narrow ramps turn into steps at width/deviation = 0.02.
     let widths = [0.0, 0.2, -0.3, 1.0].map(|reach| [reach * 0.3, 0.02 * 0.3, 0.3, 0.5]);
     let hard = maps::random(32, true, 7).expect("32 stops are a map");
+    let terrain = maps::named("terrain").expect("the file holds terrain");
     vec![
-        knots(&maps::named("terrain").expect("the file holds terrain")),
+        knots(&terrain),
+        table(&terrain),
         knots(&hard),
         Row::new("height_skewed", |x| nearest_tails(x[0], visible(x[1])[0].exp2() - 1.0)),
         Row::new("height_excess", |x| [kink(x)[0] - x[0].max(0.0)]).at(steps),

@@ -122,6 +122,12 @@ fn random_maps_keep_their_bounds() -> Outcome {
                 assert!(found <= f64::from(bound.value()), "seed {seed}, {tier}, {below}: {found:e} exceeds {bound}");
             }
         }
+        for colors in [Colors::Constant, Colors::Dynamic] {
+            let scene = Scene::new("judged").height(map.clone()).ranges(ranges).colors(colors);
+            let scene = scene.height_tier(HeightTier::Skewed);
+            let (bound, found) = (scene.module()?.bound(), error(&device, &scene, &calls)?);
+            assert!(found <= f64::from(bound.value()), "seed {seed}, {colors:?} table: {found:e} exceeds {bound}");
+        }
         let edges: Vec<_> = map.knots()[1..].iter().map(|knot| (knot.position, knot.right)).collect();
         let bands = ColorMap::bands(map.knots()[0].left, edges)?;
         let calls = crate::calls(&mut numbers, &bands, ranges, 1e-6, 3000);

@@ -4,6 +4,7 @@ mod extremes;
 mod figures;
 mod perturbed;
 mod scenes;
+mod skewed;
 mod tilted;
 mod visibility;
 
