@@ -9,10 +9,14 @@ const STEPS: usize = 1024;
 
 /// The distribution of visible heights at one Λ, for heights of mean 0 and deviation 1.
 pub(crate) struct Strip {
+    /// The sum of Smith's Λ of view and light.
+    pub lambda: f64,
     /// The mean of the visible heights.
     pub mean: f64,
     /// Their deviation.
     pub deviation: f64,
+    /// Their skewness.
+    pub skewness: f64,
     low: f64,
     high: f64,
     /// At even steps from `low` to `high`: the density, its integral, and the integral of that.
@@ -22,7 +26,7 @@ pub(crate) struct Strip {
 impl Strip {
     /// The distribution for the sum of Smith's Λ of view and light.
     pub(crate) fn new(lambda: f64) -> Self {
-        let [mean, deviation, ..] = moments(lambda);
+        let [mean, deviation, skewness, _] = moments(lambda);
         let [low, high] = range(lambda);
         let step = (high - low) / STEPS as f64;
         let mut area = 0.0;
@@ -32,7 +36,7 @@ impl Strip {
             area += if index == 0 { 0.0 } else { more };
             [density(at, lambda), cumulative(at, lambda), area]
         };
-        Self { mean, deviation, low, high, nodes: (0..=STEPS).map(node).collect() }
+        Self { lambda, mean, deviation, skewness, low, high, nodes: (0..=STEPS).map(node).collect() }
     }
 
     /// The mean of a map over visible heights of the given mean and deviation.

@@ -112,6 +112,13 @@ fn random_maps_keep_their_bounds() -> Outcome {
         let ranges = Ranges { mean: (-0.5, 1.5), deviation: 0.5 };
         let flat = calls(&mut numbers, &map, ranges, 1.6e-3, 150);
         let calls = perturbed(&mut numbers, ranges, flat.into_iter());
+        for colors in [Colors::Constant, Colors::Dynamic] {
+            let scene = Scene::new("judged").height(map.clone()).ranges(ranges).colors(colors);
+            let scene = scene.height_tier(HeightTier::Skewed).microsurface(noisy());
+            let (bound, found) = (scene.module()?.bound(), error(&device, &scene, &calls)?);
+            println!("seed {seed}, table with {colors:?} colors: {found:.2e}, bound {bound}");
+            assert!(found <= f64::from(bound.value()), "seed {seed}, {colors:?} table: {found:e} exceeds {bound}");
+        }
         for tier in [HeightTier::Paper, HeightTier::Gaussian, HeightTier::Mixture] {
             for (below, colors) in [(EXACT, Colors::Constant), (EXACT, Colors::Dynamic)] {
                 let scene = Scene::new("judged").height(map.clone()).ranges(ranges).colors(colors);

@@ -6,21 +6,18 @@ use super::variation;
 use crate::accuracy::{Bound, Ranges};
 use crate::filter::texture::{bends, number, swizzle, Filter};
 use crate::table::grid::{Axis, Spacing};
-use crate::table::volume::{bake, Axes};
+use crate::table::volume::bake;
 use crate::transfer::color_map::{ColorMap, Colors};
 
-/// Nodes along mean, deviation and skewness. Rows and slices stand in `wgsl/filter/height.wgsl` too.
-const NODES: [usize; 3] = [256, 32, 4];
-
-/// The skewness of heights at a Λ of 1e4, up to which the moments are promised.
-const SKEWEST: f64 = 0.862467;
+/// Nodes along the mean and along the deviation, whose rows stand in `wgsl/filter/height.wgsl` too.
+const NODES: [usize; 2] = [256, 32];
 
 /// The filter by the table, for any map.
 pub(crate) fn skewed(map: &ColorMap, colors: Colors, surface: Microsurface, ranges: Ranges) -> Filter {
-    let axes = axes(map, colors, surface, ranges);
+    let means = means(map, colors, surface, ranges);
+    let deviations = Axis { low: 0.0, high: ranges.deviation.into(), count: NODES[1], spacing: Spacing::SquareRoot };
     let floor = tier::floor(HeightTier::Skewed, ranges);
-    let table = bake("table", &map.reference(), axes, floor.into());
-    let Axes { means, deviations, .. } = axes;
+    let table = bake("table", &map.reference(), means, deviations, floor.into());
     // Texel centers: the first node half a texel inside, the last as far from the other edge.
     let [per_mean, per_root] = [(means, means.high - means.low), (deviations, deviations.high.sqrt())]
         .map(|(axis, span)| (1.0 - 1.0 / axis.count as f64) / span);
@@ -37,33 +34,21 @@ pub(crate) fn skewed(map: &ColorMap, colors: Colors, surface: Microsurface, rang
     Filter { body, bound: Bound::Estimated(bound as f32), tables: vec![table], trips: 1 }
 }
 
-/// Axes that hold what a scene's ranges can ask for. The means' axis of constant colors fits the map; that of dynamic
-/// ones is the same for all maps.
-fn axes(map: &ColorMap, colors: Colors, surface: Microsurface, ranges: Ranges) -> Axes {
+/// An axis of all means that a scene's ranges can ask for, but for those where the color is that of the map's end. That
+/// of constant colors fits the map; that of dynamic ones is the same for all maps.
+fn means(map: &ColorMap, colors: Colors, surface: Microsurface, ranges: Ranges) -> Axis {
     let (low, high) = (f64::from(ranges.mean.0), f64::from(ranges.mean.1));
     let (deviation, knots) = (f64::from(ranges.deviation), map.knots());
-    let [first, last] = [knots[0], knots[knots.len() - 1]].map(|knot| f64::from(knot.position));
-    let [count, rows, slices] = NODES;
-    let means = match colors {
-        // Noise may widen what is far above all else: the axis holds every mean that the ranges allow, or all colors.
-        Colors::Constant if surface.perturbed => {
-            let far = (high + f64::from(REACH) * deviation).min(last + 4.0 * deviation);
-            let near = low.max(first - 4.0 * deviation);
-            Axis::fitted(near.min(high), far.max(low + deviation), count, &bends(map))
-        }
-        // Where means lie more than 2 deviations of all heights above these, the visible ones have at most half that
-        // deviation, and 2.5 of all heights or, where Λ is 0, 4 beyond the map's end the color is that of the end.
-        Colors::Constant => {
-            let far = (last + 2.5 * deviation).max(high + 2.0 * deviation).min(last + 4.0 * deviation);
-            let near = low.max(first - 4.0 * deviation);
-            Axis::fitted(near.min(high), far.max(low + deviation), count, &bends(map))
-        }
-        Colors::Dynamic => Axis::round(low, high + f64::from(REACH) * deviation, count),
-    };
-    let axis = |high: f64, count: usize, spacing: Spacing| Axis { low: 0.0, high, count, spacing };
-    Axes {
-        means: means.in_f32(),
-        deviations: axis(deviation, rows, Spacing::SquareRoot),
-        skewnesses: axis(SKEWEST, slices, Spacing::Linear),
+    let highest = high + f64::from(REACH) * deviation;
+    if colors == Colors::Dynamic {
+        return Axis::round(low, highest, NODES[0]).in_f32();
     }
+    let [first, last] = [knots[0], knots[knots.len() - 1]].map(|knot| f64::from(knot.position));
+    // Four deviations of all heights from the map the color is that of its end. Visible heights whose mean is two of
+    // them above that of all have at most half the deviation, and need to lie 2.5 of them beyond; with noise they may
+    // have more.
+    let above = if surface.perturbed { highest } else { (last + 2.5 * deviation).max(high + 2.0 * deviation) };
+    let far = above.min(last + 4.0 * deviation).max(low + deviation);
+    let near = low.max(first - 4.0 * deviation).min(high);
+    Axis::fitted(near, far, NODES[0], &bends(map)).in_f32()
 }
