@@ -9,6 +9,7 @@ mod height;
 mod heights;
 mod moments;
 mod normal;
+mod slopes;
 mod smith;
 mod taps;
 mod texture;
@@ -137,6 +138,7 @@ pub fn all() -> Vec<Row> {
         heights::rows(),
         moments::rows(),
         normal::rows(),
+        slopes::rows(),
         smith::rows(),
         taps::rows(),
         texture::rows(),

@@ -1,7 +1,12 @@
-//! Visible slopes: the reference against definitions, identities and a second quadrature.
+//! Visible slopes: the reference against definitions and a second quadrature, the device against the reference, and the
+//! figures that the crate promises.
 
+mod device;
+mod extremes;
 mod references;
+mod ridges;
 mod standard;
+mod steps;
 
 use std::f64::consts::TAU;
 

@@ -45,7 +45,7 @@ impl Visible {
     }
 
     /// The deviation of t over all slopes.
-    fn reach(&self) -> f64 {
+    pub fn reach(&self) -> f64 {
         variance_along(self.covariance, [self.view[0], self.view[1]]).max(0.0).sqrt()
     }
 
@@ -68,12 +68,30 @@ impl Visible {
         self.integrals(function).map(|sum| sum / whole)
     }
 
+    /// The principal axes of the covariance, a deviation long each.
+    fn ends(&self) -> [[f64; 2]; 2] {
+        axes(self.covariance).map(|axis| {
+            let deviation = variance_along(self.covariance, axis).max(0.0).sqrt();
+            axis.map(|part| deviation * part)
+        })
+    }
+
+    /// Two vectors whose outer products sum to the covariance, the first against the view, the second across it to the
+    /// left: the principal axes, a deviation long, turned together.
+    pub fn factor(&self) -> [f64; 4] {
+        let (sin, cos) = libm::sincos(libm::atan2(self.view[1], self.view[0]));
+        let [one, other] = self.ends();
+        let [p, q] = [one, other].map(|end| cos * end[0] + sin * end[1]);
+        let length = libm::hypot(p, q);
+        let (p, q) = (-p / length, -q / length);
+        let [e, f] = [[p, q], [-q, p]].map(|[p, q]| [0, 1].map(|i| p * one[i] + q * other[i]));
+        let side = if cos * f[1] - sin * f[0] < 0.0 { -1.0 } else { 1.0 };
+        [e[0], e[1], side * f[0], side * f[1]]
+    }
+
     /// Integrals of functions times the weight and the density, but for a factor that the area puts back.
     fn integrals<const N: usize>(&self, function: impl Fn([f64; 2]) -> [f64; N]) -> [f64; N] {
-        let ends = axes(self.covariance).map(|axis| {
-            let deviation = variance_along(self.covariance, axis).max(0.0).sqrt();
-            [deviation * axis[0], deviation * axis[1]]
-        });
+        let ends = self.ends();
         let gains = ends.map(|end| -self.view[0] * end[0] - self.view[1] * end[1]);
         // The axis on which the weight ends sooner comes last: over the other one its end is smooth.
         let [first, last] = if gains[0].abs() > gains[1].abs() { [1, 0] } else { [0, 1] };

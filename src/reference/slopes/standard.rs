@@ -36,7 +36,7 @@ pub fn cumulative(parameter: f64, edges: &[f64]) -> Vec<f64> {
     let (mut sum, mut from) = (0.0, lowest);
     let next = edges.iter().map(|&edge| {
         let to = edge.max(from);
-        let [part] = integrate(from, to, 0.5, |u| [(u + parameter) * (offset - 0.5 * u * u).exp()]);
+        let [part] = integrate(from, to, 1.0, |u| [(u + parameter) * (offset - 0.5 * u * u).exp()]);
         sum += part;
         from = to;
         sum / whole
@@ -81,44 +81,53 @@ fn level(points: [&[f64; 3]; 3]) -> Option<(f64, [f64; 2])> {
     (total > 0.0 && change.iter().all(|change| change.is_finite())).then_some((size.abs(), change))
 }
 
+/// The change of d and e that lowers the largest error most, as far as errors change by their gradients.
+///
+/// The largest error of a linear problem in two unknowns is the largest of those of any three points.
+fn change(errors: &[[f64; 3]]) -> Option<[f64; 2]> {
+    let peak = |trio: &&[[f64; 3]]| trio[1][0].abs() >= trio[0][0].abs() && trio[1][0].abs() >= trio[2][0].abs();
+    let peaks: Vec<&[f64; 3]> = errors.windows(3).filter(peak).map(|trio| &trio[1]).collect();
+    let mut best: Option<(f64, [f64; 2])> = None;
+    for (i, a) in peaks.iter().enumerate() {
+        for (j, b) in peaks.iter().enumerate().skip(i + 1) {
+            let found = peaks.iter().skip(j + 1).filter_map(|c| level([a, b, c]));
+            best = found.chain(best).max_by(|one, other| one.0.total_cmp(&other.0));
+        }
+    }
+    best.map(|(_, change)| change)
+}
+
 /// The two normal distributions with equal shares that have the mean and variance of u together and whose cumulative
 /// function is nearest to that of u, by the largest difference: mean and variance of the lower one, then of the higher.
-///
-/// The largest error of a linear problem in two unknowns is the largest of those of any three points. Repeated, it
-/// solves ours.
 pub fn nearest_pair(parameter: f64) -> [f64; 4] {
     let [mean, variance, _] = moments(parameter);
     let deviation = variance.sqrt();
-    let places: Vec<f64> = (-80..=120).map(|index| 0.04 * f64::from(index)).collect();
+    let places: Vec<f64> = (-40..=60).map(|index| 0.08 * f64::from(index)).collect();
     let edges: Vec<f64> = places.iter().map(|z| mean + deviation * z).collect();
     let truth = cumulative(parameter, &edges);
-    let [mut d, mut e] = [1.0, 0.3];
-    for _ in 0..12 {
-        let errors: Vec<[f64; 3]> = places
-            .iter()
-            .zip(&truth)
-            .map(|(&z, truth)| {
-                let [below, by_d, by_e] = pair(z, d, e);
-                [below - truth, by_d, by_e]
-            })
-            .collect();
-        let peak = |trio: &&[[f64; 3]]| trio[1][0].abs() >= trio[0][0].abs() && trio[1][0].abs() >= trio[2][0].abs();
-        let peaks: Vec<&[f64; 3]> = errors.windows(3).filter(peak).map(|trio| &trio[1]).collect();
-        let mut best: Option<(f64, [f64; 2])> = None;
-        for (i, a) in peaks.iter().enumerate() {
-            for (j, b) in peaks.iter().enumerate().skip(i + 1) {
-                for c in peaks.iter().skip(j + 1) {
-                    let found = level([a, b, c]);
-                    if let Some(found) = found.filter(|found| best.is_none_or(|best| found.0 > best.0)) {
-                        best = Some(found);
-                    }
-                }
+    let errors = |[d, e]: [f64; 2]| -> Vec<[f64; 3]> {
+        let error = |(&z, truth): (&f64, &f64)| {
+            let [below, by_d, by_e] = pair(z, d, e);
+            [below - truth, by_d, by_e]
+        };
+        places.iter().zip(&truth).map(error).collect()
+    };
+    let largest = |errors: &[[f64; 3]]| errors.iter().fold(0.0, |most: f64, error| most.max(error[0].abs()));
+    let mut at = [1.0, 0.3];
+    let mut found = errors(at);
+    'search: for _ in 0..30 {
+        let Some(change) = change(&found) else { break };
+        for halvings in 0..12 {
+            let share = 0.5f64.powi(halvings);
+            let next = [(at[0] + share * change[0]).clamp(0.0, 1.9), (at[1] + share * change[1]).clamp(0.0, 0.95)];
+            let there = errors(next);
+            if largest(&there) < largest(&found) * (1.0 - 1e-5) {
+                (at, found) = (next, there);
+                continue 'search;
             }
         }
-        let Some((_, change)) = best else { break };
-        d = (d + change[0].clamp(-0.2, 0.2)).clamp(0.0, 1.9);
-        e = (e + change[1].clamp(-0.2, 0.2)).clamp(0.0, 0.95);
+        break;
     }
-    let rest = variance * (1.0 - 0.25 * d * d);
+    let ([d, e], rest) = (at, variance * (1.0 - 0.25 * at[0] * at[0]));
     [mean - 0.5 * d * deviation, rest * (1.0 - e), mean + 0.5 * d * deviation, rest * (1.0 + e)]
 }
