@@ -151,7 +151,7 @@ impl Scene {
     ///
     /// In a release build closed forms of some dozen knots take well below 5 ms; beyond some hundred constant knots
     /// naga's time grows with their square. Tables, which are tried unless the scene names a tier or the accuracy
-    /// forbids them, take a fraction of a second to bake, seconds with a thousand knots.
+    /// forbids them, take some 10 ms to bake for a dozen knots, seconds for a thousand.
     ///
     /// # Errors
     /// A name that cannot be used, a scene without a map, ranges or an accuracy outside their limits, a tier that does

@@ -6,7 +6,7 @@
 use super::{Kernel, Tier};
 use crate::accuracy::{promise, Bound, Ranges};
 use crate::reference::normal::{cumulative, density};
-use crate::table::bake::bake;
+use crate::table::bake::Plan;
 use crate::table::grid::{Axis, Spacing};
 use crate::table::{Format, Level, Sampling, Table};
 use crate::transfer::color_map::{ColorMap, Colors, Knot};
@@ -264,7 +264,7 @@ fn table(map: &ColorMap, colors: Colors, ranges: Ranges) -> Filter {
         Colors::Dynamic => Axis::round(low, high, 512).in_f32(),
     };
     let deviations = Axis { low: 0.0, high: ranges.deviation.into(), count: 16, spacing: Spacing::CubeRoot };
-    let baked = bake("table", &map.reference(), means, deviations, ranges.mean);
+    let baked = Plan { map: &map.reference(), means, deviations, judged: ranges.mean }.of_values("table");
     let (low, high, reach) = (number(means.low as f32), number(means.high as f32), number(ranges.deviation));
     let body = format!(
         "    return texture_table(mean, deviation, {low}, {high}, {reach}, table, table_sampler){};\n",
@@ -284,7 +284,7 @@ pub(super) fn bends(map: &ColorMap) -> Vec<(f64, f64)> {
 fn paper(map: &ColorMap, ranges: Ranges) -> Filter {
     let means = Axis { low: 0.0, high: 1.0, count: 256, spacing: Spacing::Centers };
     let deviations = Axis { low: 0.0, high: ranges.deviation.into(), count: 256, spacing: Spacing::Centers };
-    let baked = bake("table", &map.reference(), means, deviations, ranges.mean);
+    let baked = Plan { map: &map.reference(), means, deviations, judged: ranges.mean }.of_values("table");
     let reach = number(ranges.deviation);
     let body = format!(
         "    return textureSampleLevel(table, table_sampler, vec2f(mean, deviation / {reach}), 0.0){};\n",

@@ -3,7 +3,6 @@
 pub(crate) mod bake;
 pub mod grid;
 pub(crate) mod strip;
-pub(crate) mod volume;
 
 /// How a table's texels are stored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

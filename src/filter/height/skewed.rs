@@ -5,8 +5,8 @@ use super::tier::{self, HeightTier, REACH};
 use super::variation;
 use crate::accuracy::{Bound, Ranges};
 use crate::filter::texture::{bends, number, swizzle, Filter};
+use crate::table::bake::Plan;
 use crate::table::grid::{Axis, Spacing};
-use crate::table::volume::bake;
 use crate::transfer::color_map::{ColorMap, Colors};
 
 /// Nodes along the mean and along the deviation, whose rows stand in `wgsl/filter/height.wgsl` too.
@@ -17,7 +17,8 @@ pub(crate) fn skewed(map: &ColorMap, colors: Colors, surface: Microsurface, rang
     let means = means(map, colors, surface, ranges);
     let deviations = Axis { low: 0.0, high: ranges.deviation.into(), count: NODES[1], spacing: Spacing::SquareRoot };
     let floor = tier::floor(HeightTier::Skewed, ranges);
-    let table = bake("table", &map.reference(), means, deviations, floor.into());
+    let judged = (means.low as f32, means.high as f32);
+    let table = Plan { map: &map.reference(), means, deviations, judged }.of_heights("table", floor.into());
     // Texel centers: the first node half a texel inside, the last as far from the other edge.
     let [per_mean, per_root] = [(means, means.high - means.low), (deviations, deviations.high.sqrt())]
         .map(|(axis, span)| (1.0 - 1.0 / axis.count as f64) / span);
