@@ -10,6 +10,7 @@
 pub(crate) mod glue;
 pub(crate) mod skewed;
 pub(crate) mod surface;
+pub(crate) mod tails;
 pub(crate) mod tier;
 
 use super::texture::{color, number, returned, Filter};
@@ -17,7 +18,7 @@ use crate::accuracy::{Bound, Ranges};
 use crate::transfer::color_map::{ColorMap, Colors};
 use crate::transfer::pieces::Pieces;
 use crate::Error;
-use surface::{clamped, perturbed, step_error, visible};
+use surface::{clamped, step_error, visible};
 
 pub use surface::Microsurface;
 pub use tier::HeightTier;
@@ -68,20 +69,8 @@ fn colored(tier: HeightTier, surface: Microsurface, texture: impl Fn(&str, &str)
     match tier {
         HeightTier::Paper if surface.perturbed => normal("vec3f(heights_moments_paper(seen + lit), 0.0)"),
         HeightTier::Paper => normal("heights_moments_paper(seen + lit)"),
-        HeightTier::Gaussian | HeightTier::Skewed | HeightTier::Exact => normal("heights_moments_fast(seen + lit)"),
-        HeightTier::Mixture => {
-            let mut text = "    let visible = heights_mixture(seen + lit);\n".to_owned();
-            let [high, low] = if surface.perturbed {
-                for (name, part) in [("higher", "visible.xy"), ("lower", "visible.zw")] {
-                    text += &format!("    let {name} = {};\n", perturbed(&format!("vec3f({part}, 0.0)")));
-                }
-                [texture("higher.x", "higher.y"), texture("lower.x", "lower.y")]
-            } else {
-                let of = |mean: &str, width: &str| texture(&format!("mean + s * {mean}"), &format!("s * {width}"));
-                [of("visible.x", "visible.y"), of("visible.z", "visible.w")]
-            };
-            let sum = "low + 0.375 * (high - low)";
-            text + &format!("    let high = {high};\n    let low = {low};\n    return {sum};\n")
+        HeightTier::Gaussian | HeightTier::Skewed | HeightTier::ClosedForm | HeightTier::Exact => {
+            normal("heights_moments_fast(seen + lit)")
         }
     }
 }
@@ -92,7 +81,7 @@ fn colored(tier: HeightTier, surface: Microsurface, texture: impl Fn(&str, &str)
 /// A map with gradients, dynamic colors, and noise on the heights.
 pub(crate) fn bands(map: &ColorMap, colors: Colors, surface: Microsurface, ranges: Ranges) -> Result<Filter, Error> {
     if surface.perturbed {
-        let (tier, other) = (HeightTier::Exact, HeightTier::Mixture);
+        let (tier, other) = (HeightTier::Exact, HeightTier::ClosedForm);
         return Err(Error::Conflict(format!(
             "{tier} know no noise on the heights, whose sum has no closed form; {other} do"
         )));
@@ -102,7 +91,7 @@ pub(crate) fn bands(map: &ColorMap, colors: Colors, surface: Microsurface, range
         let tier = HeightTier::Exact;
         return Err(Error::Conflict(format!(
             "{tier} need a map of constant colors between hard edges, in the text, not {why}; {} take any",
-            HeightTier::Mixture
+            HeightTier::ClosedForm
         )));
     }
     let pieces = Pieces::new(map, |_, _| false);

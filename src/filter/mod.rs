@@ -1,6 +1,7 @@
 //! Filters: what the mean of a transfer function over a footprint is, tier by tier.
 
 pub mod height;
+mod terms;
 pub mod texture;
 
 /// How a filter is evaluated: a ladder from the cheapest to the closest.

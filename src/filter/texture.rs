@@ -3,6 +3,7 @@
 //! Source: Heitz, Nowrouzezahrai, Poulin and Neyret 2014, "Filtering Non-Linear Transfer Functions on Surfaces",
 //! section 4, equation 9.
 
+use super::terms::{constant, distance, placed, terms};
 use super::{Kernel, Tier};
 use crate::accuracy::{promise, Bound, Ranges};
 use crate::reference::normal::{cumulative, density};
@@ -22,7 +23,7 @@ const NARROW: f64 = 0.01;
 const STEEP: f64 = 10.0;
 
 /// Beyond this many deviations from the outermost knots a mean is constant to f32.
-const REACH: f32 = 8.0;
+pub(super) const REACH: f32 = 8.0;
 
 /// A C0 export before it has a name: the body's lines, the tables that it reads, and its bound.
 pub(crate) struct Filter {
@@ -54,7 +55,7 @@ pub(crate) fn filter(map: &ColorMap, colors: Colors, tier: Tier, ranges: Ranges)
 }
 
 /// The map's pieces for a kernel.
-fn pieces(map: &ColorMap, kernel: Kernel, ranges: Ranges) -> Pieces {
+pub(super) fn pieces(map: &ColorMap, kernel: Kernel, ranges: Ranges) -> Pieces {
     let span = f64::from(ranges.mean.1) - f64::from(ranges.mean.0);
     let narrow = NARROW * span.max(3.0 * f64::from(ranges.deviation));
     let hull = map.spans();
@@ -139,46 +140,20 @@ fn naive_bound(map: &ColorMap, pieces: &Pieces, ranges: Ranges) -> Bound {
     Bound::Guaranteed(width.min(slope * spread) + rounding as f32)
 }
 
-/// `mean - 0.45` or `mean + 0.45`.
-fn distance(mean: &str, position: f32) -> String {
-    if position == 0.0 {
-        return mean.to_owned();
-    }
-    let sign = if position < 0.0 { '+' } else { '-' };
-    format!("{mean} {sign} {}", number(position.abs()))
-}
-
 fn closed_form(map: &ColorMap, kernel: Kernel, ranges: Ranges) -> Filter {
     let pieces = pieces(map, kernel, ranges);
-    if pieces.kinks.is_empty() && pieces.ramps.is_empty() && pieces.steps.is_empty() {
-        let body = format!("    return {};\n", color(map, pieces.base));
-        return Filter { body, tables: Vec::new(), bound: Bound::Guaranteed(0.0), trips: 1 };
+    if pieces.is_constant() {
+        return constant(map, pieces.base);
     }
     let suffix = match kernel {
         Kernel::Fast => "_fast",
         Kernel::Exact => "",
     };
-    // Means and deviations beyond the ranges, infinite ones included, must not multiply slopes: far outside the knots
-    // the map is constant anyway, and a deviation beyond the declared one counts as that.
-    let knots = map.knots();
-    let far = REACH * ranges.deviation;
-    let ends = (number(knots[0].position - far), number(knots[knots.len() - 1].position + far));
-    let mut body = format!("    let m = clamp(mean, {}, {});\n", ends.0, ends.1);
+    // A deviation beyond the declared one counts as that.
+    let mut body = format!("    let m = {};\n", placed(map, ranges, "mean"));
     body += &format!("    let s = min(deviation, {});\n", number(ranges.deviation));
-    body += &format!("    var c = {};\n", color(map, pieces.base));
-    for kink in &pieces.kinks {
-        let at = distance("m", kink.position);
-        body += &format!("    c += {} * texture_kink{suffix}({at}, s);\n", color(map, kink.change));
-    }
-    for ramp in &pieces.ramps {
-        let (at, width) = (distance("m", ramp.position), number(ramp.width));
-        body += &format!("    c += {} * texture_ramp({at}, {width}, s);\n", color(map, ramp.change));
-    }
-    for step in &pieces.steps {
-        let at = distance("m", step.position);
-        body += &format!("    c += {} * texture_step{suffix}({at}, s);\n", color(map, step.change));
-    }
-    body += &returned(map, "c");
+    let [kink, step] = ["kink", "step"].map(|piece| format!("texture_{piece}{suffix}"));
+    body += &terms(map, &pieces, [&kink, "texture_ramp", &step], "s");
     Filter { body, tables: Vec::new(), bound: closed_form_bound(map, &pieces, suffix, ranges), trips: 1 }
 }
 
@@ -200,7 +175,7 @@ fn closed_form_bound(map: &ColorMap, pieces: &Pieces, suffix: &str, ranges: Rang
 }
 
 /// The largest mean of max(f − position, 0) in a scene's ranges: that of the largest mean and deviation.
-fn reach(ranges: Ranges, position: f32) -> f64 {
+pub(super) fn reach(ranges: Ranges, position: f32) -> f64 {
     let (distance, deviation) = (f64::from(ranges.mean.1) - f64::from(position), f64::from(ranges.deviation));
     let at = distance / deviation;
     (distance * cumulative(at) + deviation * density(at)).max(0.0)

@@ -1,14 +1,11 @@
 //! The distribution of visible heights, D_h(h) = (1 + Λ) Φ(h)^Λ φ(h) for standard normal heights, where Λ is the sum of
 //! Smith's Λ of the view and of the light: equation 15 of Heitz et al. 2014.
 
-use super::normal::{cumulative as normal_cumulative, density as normal_density, surprisal, REACH};
+use super::normal::{density as normal_density, surprisal, REACH};
 use super::quadrature::integrate;
 
 /// Panels over the range of visible heights.
 const PANELS: f64 = 16.0;
-
-/// The share of the higher one of the two normal distributions of [`nearest_pair`].
-pub const HIGH_SHARE: f64 = 3.0 / 8.0;
 
 /// The density D_h of visible heights.
 pub fn density(height: f64, lambda: f64) -> f64 {
@@ -121,53 +118,4 @@ pub fn sum_moments(first: [f64; 3], normal: [f64; 2]) -> [f64; 3] {
     let central = |power| outcomes.iter().map(|(value, weight)| (value - center).powi(power) * weight).sum::<f64>();
     let [mean, deviation, skewness, _] = standardized(center, central(2), central(3), 0.0);
     [mean, deviation, skewness]
-}
-
-/// The probability below z of two normal distributions with mean 0 and variance 1 together, the higher one with a share
-/// of [`HIGH_SHARE`], and its derivatives by d and e. Their means are d/√(w/(1 − w)) up and d·√(w/(1 − w)) down, their
-/// variances 1 − d² plus and minus as much of e.
-fn pair(z: f64, d: f64, e: f64) -> [f64; 3] {
-    let ratio = (HIGH_SHARE / (1.0 - HIGH_SHARE)).sqrt();
-    let side = |share: f64, lever: f64| {
-        let deviation = (1.0 - d * d + lever * e).sqrt();
-        let at = (z - lever * d) / deviation;
-        let slope = share * normal_density(at) / deviation;
-        let by_variance = -0.5 * slope * at / deviation;
-        [share * normal_cumulative(at), -slope * lever - 2.0 * d * by_variance, by_variance * lever]
-    };
-    let (high, low) = (side(HIGH_SHARE, 1.0 / ratio), side(1.0 - HIGH_SHARE, -ratio));
-    std::array::from_fn(|index| high[index] + low[index])
-}
-
-/// The two normal distributions, with shares of 3/8 and 5/8, that have the mean and variance of the visible heights
-/// together and whose cumulative function is nearest to theirs in the mean square over heights: mean and deviation of
-/// the higher one, then of the lower one. By Gauss–Newton steps, for Λ from 1e-4 on.
-pub fn nearest_pair(lambda: f64) -> [f64; 4] {
-    let [mean, deviation, ..] = moments(lambda);
-    let points: Vec<(f64, f64)> =
-        (-30..=40).map(|index| 0.2 * f64::from(index)).map(|z| (z, cumulative(mean + deviation * z, lambda))).collect();
-    // Visible heights are narrower than heights, and the wider apart the two are the less is left for each.
-    let mut d = 0.6 * (1.0 - deviation * deviation).max(0.0).sqrt();
-    let mut e = 0.35 * d;
-    for _ in 0..12 {
-        let mut normal = [0.0; 5];
-        for &(z, below) in &points {
-            let [value, by_d, by_e] = pair(z, d, e);
-            let off = below - value;
-            for (sum, term) in normal.iter_mut().zip([by_d * by_d, by_d * by_e, by_e * by_e, by_d * off, by_e * off]) {
-                *sum += term;
-            }
-        }
-        let [dd, de, ee, off_d, off_e] = normal;
-        let determinant = dd * ee - de * de;
-        if !(determinant > 0.0) {
-            break;
-        }
-        d += (ee * off_d - de * off_e) / determinant;
-        e += (dd * off_e - de * off_d) / determinant;
-    }
-    let ratio = (HIGH_SHARE / (1.0 - HIGH_SHARE)).sqrt();
-    let side = |lever: f64| [mean + deviation * lever * d, deviation * (1.0 - d * d + lever * e).sqrt()];
-    let ([high, high_deviation], [low, low_deviation]) = (side(1.0 / ratio), side(-ratio));
-    [high, high_deviation, low, low_deviation]
 }

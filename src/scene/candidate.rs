@@ -8,6 +8,7 @@ use crate::accuracy::Ranges;
 use crate::cost::{self, Cost};
 use crate::filter::height::glue::Glue;
 use crate::filter::height::skewed::skewed;
+use crate::filter::height::tails::tails;
 use crate::filter::height::tier::texture_ranges;
 use crate::filter::height::{self, HeightTier};
 use crate::filter::texture::{color_type, filter, Filter};
@@ -22,7 +23,7 @@ use crate::Error;
 const LADDER: [Tier; 3] = [Tier::ClosedForm(Kernel::Fast), Tier::ClosedForm(Kernel::Exact), Tier::Table];
 
 /// Tiers of heights over C0 from which an accuracy chooses.
-const HEIGHTS: [HeightTier; 2] = [HeightTier::Gaussian, HeightTier::Mixture];
+const HEIGHTS: [HeightTier; 1] = [HeightTier::Gaussian];
 
 /// Where a scene of heights asks for no accuracy and no tier keeps the default, how many times the closest one's bound
 /// is near enough.
@@ -145,7 +146,7 @@ impl Scene {
                 let constant = self.colors == Colors::Constant && !self.microsurface.perturbed;
                 let bands = (constant && height::banded(map)).then_some(HeightTier::Exact);
                 let table = self.accuracy.unwrap_or_default().tables.then_some(HeightTier::Skewed);
-                bands.into_iter().chain(table).collect()
+                bands.into_iter().chain(table).chain([HeightTier::ClosedForm]).collect()
             }
         }
     }
@@ -158,6 +159,7 @@ impl Scene {
         let (name, surface, label) = (&self.name, self.microsurface, tier.to_string());
         let filter = match tier {
             HeightTier::Skewed => skewed(map, self.colors, surface, self.chosen_ranges()),
+            HeightTier::ClosedForm => tails(map, self.colors, surface, self.chosen_ranges())?,
             _ => height::bands(map, self.colors, surface, self.chosen_ranges())?,
         };
         let parameters = parameters(&filter.tables);
@@ -177,7 +179,7 @@ impl Scene {
         let linked = prefilter_wgsl::link(&glue)
             .map_err(|collision| Error::Collision { path: path.clone(), collision })
             .and_then(|text| Shader::new(&path, text))?;
-        let mut trips = BTreeMap::from([("texture_knots".to_owned(), filter.trips)]);
+        let mut trips = BTreeMap::from(["texture_knots", "height_knots"].map(|name| (name.to_owned(), filter.trips)));
         trips.extend(self.driver.map(|driver| (format!("{}_color", self.name), driver.trips())));
         let (module, info) = linked.parsed();
         let table_bytes = filter.tables.iter().map(Table::bytes).sum();

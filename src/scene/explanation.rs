@@ -54,9 +54,8 @@ impl Scene {
     fn reason(&self, chosen: &Candidate) -> String {
         let named = "the scene names ";
         let free = match (chosen.height, self.tier, self.height_tier) {
-            (None, Some(_), _) | (Some(_), Some(_), Some(_)) | (_, _, Some(HeightTier::Skewed | HeightTier::Exact)) => {
-                return named.to_owned() + "this tier";
-            }
+            (None, Some(_), _) | (Some(_), Some(_), Some(_)) => return named.to_owned() + "this tier",
+            (_, _, Some(tier)) if tier.stands_alone() => return named.to_owned() + "this tier",
             (Some(_), None, Some(_)) => named.to_owned() + "the tier of heights; that of the color map is ",
             _ => String::new(),
         };

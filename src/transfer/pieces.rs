@@ -70,6 +70,11 @@ impl Pieces {
         pieces
     }
 
+    /// Whether nothing is added to the base.
+    pub fn is_constant(&self) -> bool {
+        self.kinks.is_empty() && self.ramps.is_empty() && self.steps.is_empty()
+    }
+
     fn step(&mut self, position: f32, jump: [f64; 4]) {
         let change = jump.map(|channel| channel as f32);
         if change != [0.0; 4] {

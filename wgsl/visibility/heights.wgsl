@@ -66,27 +66,6 @@ fn heights_power(power: f32, lambda: f32) -> f32 {
     return n / (n + clamp(power, 0.0, 1e6));
 }
 
-/// Two normal distributions that stand for the visible heights: mean and deviation of the higher one, whose share is
-/// 3/8, then of the lower one, whose share is 5/8. Together they have the mean and deviation of `heights_moments`.
-///
-/// A step's mean by them is within 5.9e-3 of that by D_h for lambda up to 100 and 9e-3 up to 1e4, by a single normal
-/// distribution 4.4e-2 and 5.7e-2.
-///
-/// Source: a fit of the largest error of a step, of the notes behind the crate.
-/// Domain: lambda log in [1e-3, 1e4].
-/// Error: 6e-3 absolute; from the pair with the least mean square error of a step.
-fn heights_mixture(lambda: f32) -> vec4f {
-    let t = log2(1.0 + clamp(lambda, 0.0, 1e4));
-    let q = t / (5.5490509 + 2.8542552 * t);
-    let d = sqrt(q);
-    let e = d * (0.21916513 + 0.15407409 * t) / (1.0 + 0.21199873 * t);
-    let high = vec2f(1.2909944 * d, sqrt(max(1.0 - q + 1.2909944 * e, 0.0))); // √(5/3)
-    let low = vec2f(-0.77459667 * d, sqrt(max(1.0 - q - 0.77459667 * e, 0.0))); // −√(3/5)
-    let moments = heights_moments(lambda);
-    let mean = vec2f(moments.x, 0.0);
-    return vec4f(mean + moments.y * high, mean + moments.y * low);
-}
-
 /// Mean, deviation and skewness of heights of the given mean and deviation plus independent normal noise, when
 /// `moments` are those of the heights in their own deviations: means, variances and third cumulants add.
 ///

@@ -1,6 +1,6 @@
 //! Visible heights: moments, probabilities and means by quadrature of the density.
 
-use prefilter::reference::heights::{cumulative, mean, moments, nearest_pair, sum_moments};
+use prefilter::reference::heights::{cumulative, mean, moments, sum_moments};
 use prefilter::reference::normal::cumulative as normal_cumulative;
 
 use super::Row;
@@ -21,7 +21,6 @@ pub(super) fn rows() -> Vec<Row> {
         Row::new("heights_moments_paper", two).at([[0.0], [0.56], [42.5]]),
         Row::new("heights_cdf", |x| [cumulative(x[0], x[1])]).at(nothing_hidden),
         Row::new("heights_power", |x| mean(x[1], |height| [normal_cumulative(height).powf(x[0])])),
-        Row::new("heights_mixture", |x| nearest_pair(x[0])),
         Row::new("heights_perturbed", |x| {
             // The heights' mean and deviation scale their standard moments.
             let &[own, share, skewness, mean, deviation, noise_mean, noise_deviation] = x else { return [f64::NAN; 3] };

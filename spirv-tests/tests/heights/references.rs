@@ -2,9 +2,9 @@
 
 use std::f64::consts::{LN_10, LN_2, PI};
 
+use prefilter::reference::height::nearest_tails;
 use prefilter::reference::heights::{
-    cumulative, density, mean, moments, moments_by_parts, nearest_pair, perturbed_cumulative, range, sum_moments,
-    HIGH_SHARE,
+    cumulative, density, lambda_of_skewness, mean, moments, moments_by_parts, perturbed_cumulative, range, sum_moments,
 };
 use prefilter::reference::normal::{cumulative as normal_cumulative, density as normal_density, surprisal};
 use prefilter::reference::quadrature::integrate;
@@ -139,29 +139,47 @@ fn sums_with_noise_have_the_moments_of_the_convolution() {
 }
 
 #[test]
-fn the_nearest_pair_has_the_moments_and_no_nearer_neighbor() {
+fn skewness_gives_its_lambda() {
+    for lambda in [0.0, 1e-3, 0.4, 6.0, 90.0, 1e4] {
+        let [_, _, skewness, _] = moments(lambda);
+        let found = lambda_of_skewness(skewness);
+        assert!((found - lambda).abs() <= 1e-10 * (1.0 + lambda), "{lambda}: {found}");
+    }
+}
+
+/// The tails' peak is the mean excess over the mean, and no polynomials are nearer in the mean square.
+#[test]
+fn the_nearest_tails_have_the_peak_and_no_nearer_neighbor() {
     for lambda in [1e-3, 0.4, 6.0, 90.0, 1e4] {
-        let [mean, deviation, ..] = moments(lambda);
-        let pair = nearest_pair(lambda);
-        let [share, other] = [HIGH_SHARE, 1.0 - HIGH_SHARE];
-        let middle = share * pair[0] + other * pair[2];
-        let second = share * (pair[1].powi(2) + pair[0].powi(2)) + other * (pair[3].powi(2) + pair[2].powi(2));
-        assert!((middle - mean).abs() < 1e-13 && ((second - mean * mean).sqrt() - deviation).abs() < 1e-12);
-        let distance = |pair: [f64; 4]| {
-            let [sum] = integrate(mean - 7.0 * deviation, mean + 9.0 * deviation, 0.5 * deviation, |height| {
-                let below = share * normal_cumulative((height - pair[0]) / pair[1])
-                    + other * normal_cumulative((height - pair[2]) / pair[3]);
-                [(below - cumulative(height, lambda)).powi(2)]
+        let [center, own, ..] = moments(lambda);
+        let tails = nearest_tails(2.5, lambda);
+        let [_, end] = range(lambda);
+        let excess = |x: f64| {
+            let [excess] = integrate(center + own * x, end, 0.3 * own, |height| {
+                [(height - center - own * x) * density(height, lambda)]
             });
-            sum
+            excess / own
         };
-        // Neighbors with the same moments: the high one moves and widens, the low one makes up for it.
-        for [move_by, widen] in [[1e-4, 0.0], [-1e-4, 0.0], [0.0, 1e-4], [0.0, -1e-4]] {
-            let (high, variance) = (pair[0] + move_by * deviation, (pair[1] + widen * deviation).powi(2));
-            let low = (mean - share * high) / other;
-            let rest = (second - share * (variance + high * high)) / other - low * low;
-            let near = [high, variance.sqrt(), low, rest.sqrt()];
-            assert!(distance(near) > distance(pair), "{lambda}: {near:?} is nearer than {pair:?}");
+        assert!((tails[0] - 0.4).abs() < 1e-15 && (tails[1] / 2.5 - excess(0.0)).abs() < 1e-12, "{lambda}: {tails:?}");
+        for (sign, own) in [(1.0, &tails[2..6]), (-1.0, &tails[6..])] {
+            let compared: Vec<(f64, f64)> =
+                (1..=32).map(|at| 0.125 * f64::from(at)).map(|x| (x, excess(sign * x))).collect();
+            let distance = |c: &[f64]| {
+                let terms = compared.iter().map(|&(x, excess)| {
+                    // Below the mean what falls short of the threshold is the excess less the distance.
+                    let excess = if sign < 0.0 { excess - x } else { excess };
+                    let bits = (tails[1] / 2.5 / excess).log2();
+                    (excess * (bits - x * (c[0] + x * (c[1] + x * (c[2] + x * c[3]))))).powi(2)
+                });
+                terms.filter(|term| term.is_finite()).sum::<f64>()
+            };
+            for at in 0..4 {
+                for step in [1e-3, -1e-3] {
+                    let mut near = own.to_vec();
+                    near[at] += step;
+                    assert!(distance(&near) > distance(own), "{lambda}: {near:?} is nearer than {own:?}");
+                }
+            }
         }
     }
 }

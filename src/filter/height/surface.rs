@@ -101,7 +101,7 @@ pub(crate) fn step_error(tier: HeightTier, surface: Microsurface) -> f64 {
     // added, which rounds.
     let perturbed = match (surface.perturbed, tier) {
         (false, _) => 0.0,
-        (true, HeightTier::Skewed) => NOISE + tier::ROUNDED,
+        (true, HeightTier::Skewed | HeightTier::ClosedForm) => NOISE + tier::ROUNDED,
         (true, _) => tier::ROUNDED,
     };
     tier::step_error(tier) + tilted + perturbed
