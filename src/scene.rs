@@ -2,6 +2,7 @@
 
 mod candidate;
 mod explanation;
+mod percentile;
 
 use crate::accuracy::{Accuracy, Ranges};
 use crate::driver::Driver;
@@ -27,6 +28,8 @@ pub struct Scene {
     texture: Option<ColorMap>,
     height: Option<ColorMap>,
     #[cfg_attr(feature = "serde", serde(default))]
+    percentile: Option<ColorMap>,
+    #[cfg_attr(feature = "serde", serde(default))]
     microsurface: Microsurface,
     colors: Colors,
     tier: Option<Tier>,
@@ -43,6 +46,7 @@ impl Scene {
             name: name.to_owned(),
             texture: None,
             height: None,
+            percentile: None,
             microsurface: Microsurface::default(),
             colors: Colors::default(),
             tier: None,
@@ -81,6 +85,25 @@ impl Scene {
     #[must_use]
     pub fn height(self, map: ColorMap) -> Self {
         Self { height: Some(map), ..self }
+    }
+
+    /// Ch of a map over percentiles: positions are shares, from 0 to 1, of the surface that lie below a height.
+    ///
+    /// Exports what [`Self::height`] does, without mean and deviation: `NAME_height(slope_covariance, view, light, …)`.
+    /// Whatever distribution the heights have cancels, and the color is exact. Equation 3 of Heitz et al. 2014 is that
+    /// of the map from black at 0 to white at 1.
+    ///
+    /// ```
+    /// use prefilter::{ColorMap, Scene};
+    /// let rust = ColorMap::gradient([(0.0, [0.1, 0.04, 0.02]), (0.7, [0.5, 0.2, 0.1]), (1.0, [0.6, 0.6, 0.6])])?;
+    /// let module = Scene::new("iron").height_percentile(rust).module()?;
+    /// let height = "fn iron_height(slope_covariance: vec3f, view: vec3f, light: vec3f) -> vec3f";
+    /// assert_eq!(module.exports()[0].signature, height);
+    /// # Ok::<(), prefilter::Error>(())
+    /// ```
+    #[must_use]
+    pub fn height_percentile(self, map: ColorMap) -> Self {
+        Self { percentile: Some(map), ..self }
     }
 
     /// What hides parts of the surface that is colored by height. Default: view and light, taken for independent.
@@ -139,7 +162,7 @@ impl Scene {
 
     /// The color map, where the scene has one.
     pub fn map(&self) -> Option<&ColorMap> {
-        self.texture.as_ref().or(self.height.as_ref())
+        self.texture.as_ref().or(self.height.as_ref()).or(self.percentile.as_ref())
     }
 
     /// The ranges that bounds hold over: those given, or else those of the map.

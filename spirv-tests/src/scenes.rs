@@ -57,6 +57,8 @@ pub fn heights() -> Result<Vec<(&'static str, Scene)>> {
         ("height_bands_hotspot", bands()?.height_tier(HeightTier::Exact).microsurface(hotspot)),
         ("height_tilted", terrain()?.microsurface(tilted).height_tier(HeightTier::Gaussian).tier(FAST)),
         ("height_perturbed", terrain()?.microsurface(perturbed).height_tier(HeightTier::ClosedForm)),
+        ("height_percentile", Scene::new("lichen").height_percentile(lichen()?)),
+        ("height_percentile_dynamic", Scene::new("lichen").height_percentile(lichen()?).colors(Colors::Dynamic)),
         ("height_masked", Scene::new("moss").height(four).microsurface(masked).tier(FAST)),
     ])
 }

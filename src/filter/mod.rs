@@ -1,6 +1,7 @@
 //! Filters: what the mean of a transfer function over a footprint is, tier by tier.
 
 pub mod height;
+pub mod percentile;
 mod terms;
 pub mod texture;
 

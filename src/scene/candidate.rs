@@ -25,6 +25,9 @@ const LADDER: [Tier; 3] = [Tier::ClosedForm(Kernel::Fast), Tier::ClosedForm(Kern
 /// Tiers of heights over C0 from which an accuracy chooses.
 const HEIGHTS: [HeightTier; 1] = [HeightTier::Gaussian];
 
+/// The shelf's loops over the knots of a map.
+const LOOPS: [&str; 3] = ["texture_knots", "height_knots", "percentile_knots"];
+
 /// Where a scene of heights asks for no accuracy and no tier keeps the default, how many times the closest one's bound
 /// is near enough.
 const NEAR: f32 = 1.1;
@@ -50,15 +53,19 @@ pub(super) struct Candidate {
 impl Scene {
     /// The lightest candidate within the accuracy, or the named tier; and the others that were tried.
     pub(super) fn choose(&self) -> Result<(Candidate, Vec<Candidate>), Error> {
-        let mut candidates = match (&self.texture, &self.height) {
-            (Some(map), None) => self.textures(map)?,
-            (None, Some(map)) => self.heights(map)?,
-            (None, None) => {
+        let mut candidates = match (&self.texture, &self.height, &self.percentile) {
+            (Some(map), None, None) => self.textures(map)?,
+            (None, Some(map), None) => self.heights(map)?,
+            (None, None, Some(map)) => vec![self.percentiles(map)?],
+            (None, None, None) => {
                 let what = format!("the scene `{}` filters nothing; give it a `texture` or a `height`", self.name);
                 return Err(Error::Conflict(what));
             }
-            (Some(_), Some(_)) => {
-                let what = format!("the scene `{}` has a `texture` and a `height`; make a scene of each", self.name);
+            (Some(_), _, _) | (_, Some(_), Some(_)) => {
+                let what = format!(
+                    "the scene `{}` has a `texture` and a `height`, or two heights; make a scene of each",
+                    self.name
+                );
                 return Err(Error::Conflict(what));
             }
         };
@@ -68,7 +75,7 @@ impl Scene {
         let asked = self.accuracy.unwrap_or_default().max_filter_error;
         let closest = candidates.iter().min_by(|a, b| a.judged.total_cmp(&b.judged));
         let near = closest.map_or(0.0, |closest| NEAR * closest.judged);
-        let budget = if self.height.is_some() && self.accuracy.is_none() { asked.max(near) } else { asked };
+        let budget = if self.texture.is_none() && self.accuracy.is_none() { asked.max(near) } else { asked };
         let kept = candidates.iter().enumerate().filter(|(_, candidate)| candidate.judged <= budget);
         if let Some((lightest, _)) = kept.min_by_key(|(_, candidate)| candidate.cost.weight()) {
             let chosen = candidates.remove(lightest);
@@ -128,7 +135,8 @@ impl Scene {
                 let filter = height::over(&texture, map, tier, surface, ranges, name, &arguments(&texture.tables));
                 let label = format!("{tier} over {texture_tier}");
                 let extra = parameters(&filter.tables);
-                let glue = Glue { name, map, tier, label: &label, surface, parameters: &extra }.text(&filter);
+                let glue = Glue { name, map, tier, label: &label, surface, percentile: false, parameters: &extra }
+                    .text(&filter);
                 let glue = glue + "\n" + &own;
                 let judged = if self.height_tier.is_some() { texture.bound } else { filter.bound };
                 candidates.push(self.candidate(label, Some(tier), judged.value(), filter, glue)?);
@@ -163,11 +171,12 @@ impl Scene {
             _ => height::bands(map, self.colors, surface, self.chosen_ranges())?,
         };
         let parameters = parameters(&filter.tables);
-        let glue = Glue { name, map, tier, label: &label, surface, parameters: &parameters }.text(&filter);
+        let glue =
+            Glue { name, map, tier, label: &label, surface, percentile: false, parameters: &parameters }.text(&filter);
         self.candidate(label, Some(tier), filter.bound.value(), filter, glue)
     }
 
-    fn candidate(
+    pub(super) fn candidate(
         &self,
         label: String,
         height: Option<HeightTier>,
@@ -179,7 +188,7 @@ impl Scene {
         let linked = prefilter_wgsl::link(&glue)
             .map_err(|collision| Error::Collision { path: path.clone(), collision })
             .and_then(|text| Shader::new(&path, text))?;
-        let mut trips = BTreeMap::from(["texture_knots", "height_knots"].map(|name| (name.to_owned(), filter.trips)));
+        let mut trips = BTreeMap::from(LOOPS.map(|name| (name.to_owned(), filter.trips)));
         trips.extend(self.driver.map(|driver| (format!("{}_color", self.name), driver.trips())));
         let (module, info) = linked.parsed();
         let table_bytes = filter.tables.iter().map(Table::bytes).sum();
@@ -214,7 +223,7 @@ impl Scene {
 }
 
 /// `, table: texture_2d<f32>, table_sampler: sampler` for each table, a volume with its own type.
-fn parameters(tables: &[Table]) -> String {
+pub(super) fn parameters(tables: &[Table]) -> String {
     let parameter = |table: &Table| match table.sampling {
         Sampling::Loaded => format!(", {}: {}", table.name, table.wgsl_type()),
         Sampling::Filtered => format!(", {0}: {1}, {0}_sampler: sampler", table.name, table.wgsl_type()),

@@ -18,13 +18,15 @@ impl Scene {
             let _ = writeln!(text, "  covers  {}", self.covered(tier, map));
         }
         let _ = writeln!(text, "  cost    {} a call", chosen.cost);
-        let _ = writeln!(text, "  ranges  means {low} to {high}, deviations to {deviation}");
+        if self.percentile.is_none() {
+            let _ = writeln!(text, "  ranges  means {low} to {high}, deviations to {deviation}");
+        }
         let _ = writeln!(text, "  chosen  {}", self.reason(chosen));
         for other in passed {
             let _ = writeln!(text, "  passed  {}: error {}; {}", other.label, described(other), other.cost);
         }
         let gap = match (chosen.height, self.driver) {
-            (Some(_), _) => surface::gap(self.microsurface),
+            (Some(_), _) => surface::gap(self.microsurface, self.percentile.is_some()),
             (None, Some(driver)) => driver.gap(),
             (None, None) => UNDRIVEN.to_owned(),
         };
@@ -36,18 +38,25 @@ impl Scene {
     fn covered(&self, tier: HeightTier, map: &ColorMap) -> String {
         let floor = tier::floor(tier, self.chosen_ranges());
         let (step, variation) = (surface::step_error(tier, self.microsurface), height::variation(map));
-        let reach =
-            if tier == HeightTier::Exact { "any Λ" } else { "Λ of view and light that add up to 1e4 at most" };
+        let reach = if tier == HeightTier::Exact {
+            "Λ of a direction to 5.2e5"
+        } else {
+            "Λ of view and light that add up to 1e4 at most"
+        };
         let tilted = if self.microsurface.mean_slope {
             format!(", mean slopes to 1 with directions that win {} over the mean surface", surface::RISE)
         } else {
             String::new()
         };
         let sum = if self.microsurface.perturbed { " with noise" } else { "" };
+        let deviations = if self.percentile.is_some() {
+            "any heights".to_owned()
+        } else {
+            format!("deviations{sum} from {floor:.1e}")
+        };
         let beyond = if tier == HeightTier::Skewed { "beyond the table " } else { "" };
         format!(
-            "{reach}, deviations{sum} from {floor:.1e}{tilted}: {beyond}a step errs by {step:.1e}, times the total \
-             variation {variation:.3}"
+            "{reach}, {deviations}{tilted}: {beyond}a step errs by {step:.1e}, times the total variation {variation:.3}"
         )
     }
 

@@ -116,6 +116,22 @@ impl Pieces {
         }
     }
 
+    /// The color above the last knot, but for the slope that the rounded kinks leave.
+    pub fn last(&self) -> [f32; 4] {
+        let color = |channel: usize| {
+            let kinks = self.kinks.iter().map(|kink| -f64::from(kink.position) * f64::from(kink.change[channel]));
+            let ramps = self.ramps.iter().map(|ramp| f64::from(ramp.change[channel]));
+            let steps = self.steps.iter().map(|step| f64::from(step.change[channel]));
+            f64::from(self.base[channel]) + kinks.chain(ramps).chain(steps).sum::<f64>()
+        };
+        std::array::from_fn(|channel| color(channel) as f32)
+    }
+
+    /// The largest difference of the pieces from the map in [0, 1], summed from [`Self::last`] down.
+    pub fn misfit(&self, channel: usize) -> f64 {
+        self.misfit[channel] + self.tail[channel].abs() + ROUNDING * f64::from(self.last()[channel].abs())
+    }
+
     /// The most that rounding to f32 adds to a channel of `base` plus the kinks, ramps and steps in this order: the
     /// misfit of their numbers, two roundings of a kink or a step, eight of a ramp (its division is off by five), and
     /// one of each partial sum.

@@ -46,5 +46,6 @@ pub const FILES: &[File] = shelf![
     "visibility/visibility.wgsl",
     "driver/moments.wgsl",
     "filter/height.wgsl",
+    "filter/percentile.wgsl",
     "filter/texture.wgsl",
 ];

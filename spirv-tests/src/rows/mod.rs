@@ -9,6 +9,7 @@ mod height;
 mod heights;
 mod moments;
 mod normal;
+mod percentile;
 mod slopes;
 mod smith;
 mod taps;
@@ -138,6 +139,7 @@ pub fn all() -> Vec<Row> {
         heights::rows(),
         moments::rows(),
         normal::rows(),
+        percentile::rows(),
         slopes::rows(),
         smith::rows(),
         taps::rows(),

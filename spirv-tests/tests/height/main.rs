@@ -2,6 +2,7 @@
 
 mod extremes;
 mod figures;
+mod percentile;
 mod perturbed;
 mod scenes;
 mod skewed;
@@ -88,10 +89,10 @@ impl Call {
     /// The numbers that an export takes, by its signature.
     fn arguments(&self, signature: &str) -> Vec<f32> {
         let part = |name: &str, numbers: &[f32]| if signature.contains(name) { numbers.to_vec() } else { Vec::new() };
-        let [heights, slopes] = [&self.numbers[..2], &self.numbers[2..8]];
+        let (heights, slopes) = (part("(mean:", &self.numbers[..2]), &self.numbers[2..8]);
         let (noise, tilt) = (part("noise_mean:", &self.noise), part("mean_slope:", &self.mean_slope));
         let light = part("light:", &self.numbers[8..]);
-        [heights.to_vec(), noise, tilt, slopes.to_vec(), light].concat()
+        [heights, noise, tilt, slopes.to_vec(), light].concat()
     }
 
     /// Heights with noise whose sum has the mean and the deviation that the heights had: those have a mean of their own

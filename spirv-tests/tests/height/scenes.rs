@@ -136,7 +136,7 @@ fn older_files_load() -> Outcome {
     let scene = Scene::new("rock").texture(named("terrain")?).accuracy(Accuracy::max_filter_error(1e-3));
     let mut file = serde_json::to_value(&scene)?;
     let fields = file.as_object_mut().ok_or("an object")?;
-    for new in ["height", "microsurface", "height_tier"] {
+    for new in ["height", "percentile", "microsurface", "height_tier"] {
         assert!(fields.remove(new).is_some(), "{new}");
     }
     assert_eq!(serde_json::from_value::<Scene>(file)?, scene);

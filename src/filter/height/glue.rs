@@ -17,6 +17,8 @@ pub(crate) struct Glue<'a> {
     pub label: &'a str,
     /// What hides parts of the surface.
     pub surface: Microsurface,
+    /// The map's positions are percentiles, for which the heights' mean and deviation do not matter.
+    pub percentile: bool,
     /// The parameters of the tables, each behind a comma.
     pub parameters: &'a str,
 }
@@ -55,21 +57,21 @@ fn {name}_masking({slopes}, view: vec3f) -> f32 {{
     }
 
     fn height(&self, body: &str) -> String {
-        let Self { name, map, tier, label, surface, parameters } = *self;
+        let Self { name, map, tier, label, surface, percentile, parameters } = *self;
         let (light, who) = if surface.shadowing { (", light: vec3f", "seen and lit") } else { ("", "seen") };
         let body = if surface.shadowing { body.to_owned() } else { body.replace("seen + lit", "seen") };
         format!(
             "/// Mean color of `{name}` over the heights that are {who},
 /// by {label}.
 ///
-/// `mean` and `deviation` of the heights are in the unit of the map's positions. Directions are unit vectors away from
-/// the surface, z along its normal; the covariance of its slopes is xx, xy, yy. Below a horizon the color is that of
-/// the highest heights.{}{}
-fn {name}_height(mean: f32, deviation: f32, {}{}, view: vec3f{light}{parameters}) -> {} {{
+/// {}{}{}
+fn {name}_height({}{}{}, view: vec3f{light}{parameters}) -> {} {{
 {}{body}}}
 ",
+            if percentile { PERCENTILE } else { HEIGHTS },
             if surface.perturbed { PERTURBED } else { "" },
             if surface.mean_slope { TILTED } else { "" },
+            if percentile { "" } else { "mean: f32, deviation: f32, " },
             if surface.perturbed { "noise_mean: f32, noise_deviation: f32, " } else { "" },
             slopes(surface),
             color_type(map),
@@ -77,6 +79,18 @@ fn {name}_height(mean: f32, deviation: f32, {}{}, view: vec3f{light}{parameters}
         )
     }
 }
+
+/// What `NAME_height` says of its parameters, where the map is one of heights.
+const HEIGHTS: &str = "\
+`mean` and `deviation` of the heights are in the unit of the map's positions. Directions are unit vectors away from
+/// the surface, z along its normal; the covariance of its slopes is xx, xy, yy. Below a horizon the color is that of
+/// the highest heights.";
+
+/// The same, where it is one of percentiles.
+const PERCENTILE: &str = "\
+Positions of the map are shares of the surface that lie below a height, whatever mean and deviation the heights
+/// have. Directions are unit vectors away from the surface, z along its normal; the covariance of its slopes is xx,
+/// xy, yy. Below a horizon the color is that of the highest heights.";
 
 /// What `NAME_height` says of the noise on the heights.
 const PERTURBED: &str = "

@@ -111,14 +111,15 @@ pub(crate) fn step_error(tier: HeightTier, surface: Microsurface) -> f64 {
 ///
 /// Source: `docs/visibility_gap.csv` and `docs/shadowing_gap.csv`, by lines of sight over height fields of four
 /// spectra; a test of `spirv-tests` compares.
-pub(crate) fn gap(surface: Microsurface) -> String {
+pub(crate) fn gap(surface: Microsurface, percentile: bool) -> String {
     let light = match (surface.shadowing, surface.hotspot) {
         (false, _) => String::new(),
         (true, false) => lit(["0.09", "0.22", "0.23", "0.42"]),
         (true, true) => lit(["0.10", "0.06", "0.24", "0.04"]),
     };
+    let heights = if percentile { "" } else { "how far heights are from normal, " };
     format!(
-        "how far heights are from normal, slope correlations beyond 0.98, and Λ beyond 1e4, which\n    \
+        "{heights}slope correlations beyond 0.98, and Λ beyond 1e4, which\n    \
          directions within 8e-5 slope deviations of the horizon have. Smith's model itself was measured against\n    \
          lines of sight over rough surfaces: for one direction steps err by up to 0.04 with a Gaussian\n    \
          autocorrelation, 0.06 with others{light}"
