@@ -10,6 +10,7 @@ pub mod normal;
 pub mod percentile;
 pub mod perturbed;
 pub mod quadrature;
+pub mod slope;
 pub mod slopes;
 pub mod smith;
 pub mod taps;

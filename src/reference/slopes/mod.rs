@@ -191,21 +191,40 @@ impl Visible {
         [mean, second.sqrt(), third / second.powf(1.5)]
     }
 
-    /// The probability that the component of a visible slope along a unit vector is below a threshold.
-    pub fn below(&self, direction: [f64; 2], threshold: f64) -> f64 {
+    /// The mean over the visible slopes of a function of the mean and deviation along a vector of the slopes with one
+    /// component along the view: by quadrature along the view, panel by panel between the edges where the function is
+    /// steep for a small deviation.
+    pub fn component<const N: usize>(
+        &self,
+        direction: [f64; 2],
+        edges: &[f64],
+        function: impl Fn(f64, f64) -> [f64; N],
+    ) -> [f64; N] {
         let ([d, across], _, follows, rest) = self.frame();
         let [with, aside] = [d, across].map(|axis| axis[0] * direction[0] + axis[1] * direction[1]);
         let pace = with + follows * aside;
         let mean = direction[0] * self.mean[0] + direction[1] * self.mean[1];
         let start = d[0] * self.mean[0] + d[1] * self.mean[1];
-        let middle = start + (threshold - mean) / pace;
         let wide = (FAR * rest * aside / pace).abs();
-        let breaks = [middle - wide, middle, middle + wide].map(|at| if at.is_finite() { at } else { start });
-        let [whole, under] = self.along(&breaks, |place, across| {
-            let from = threshold - direction[0] * place[0] - direction[1] * place[1];
-            let deviation = (direction[0] * across[0] + direction[1] * across[1]).abs();
-            [1.0, if deviation > 0.0 { cumulative(from / deviation) } else { f64::from(u8::from(from > 0.0)) }]
+        let breaks = edges.iter().flat_map(|edge| {
+            let middle = start + (edge - mean) / pace;
+            [middle - wide, middle, middle + wide].map(|at| if at.is_finite() { at } else { start })
         });
-        under / whole
+        let breaks: Vec<f64> = breaks.collect();
+        let [whole] = self.along(&breaks, |_, _| [1.0]);
+        let sums = self.along(&breaks, |place, across| {
+            let [at, deviation] = [place, across].map(|part| direction[0] * part[0] + direction[1] * part[1]);
+            function(at, deviation.abs())
+        });
+        sums.map(|sum| sum / whole)
+    }
+
+    /// The probability that the component of a visible slope along a vector is below a threshold.
+    pub fn below(&self, direction: [f64; 2], threshold: f64) -> f64 {
+        let [probability] = self.component(direction, &[threshold], |mean, deviation| {
+            let from = threshold - mean;
+            [if deviation > 0.0 { cumulative(from / deviation) } else { f64::from(u8::from(from > 0.0)) }]
+        });
+        probability
     }
 }
