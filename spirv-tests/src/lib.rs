@@ -13,6 +13,7 @@ pub mod kernel;
 mod made;
 pub mod maps;
 pub mod random;
+pub mod rough;
 pub mod rows;
 pub mod scenes;
 pub mod signature;

@@ -9,6 +9,12 @@ use std::path::Path;
 
 const HEAD: &str = include_str!("page.html");
 
+/// The other demo, `rough`, writes its picture and its table next to the page.
+const ROUGH: &str = "<h2>a rough surface, colored by height</h2>
+<p>Valleys hide at grazing angles and lie in shadow, <a href=\"rough.csv\">the errors as a table</a>.</p>
+<img src=\"rough.png\" alt=\"a rough surface by three methods and in truth; made by the binary rough\">
+";
+
 /// A picture's name in file names and its label.
 struct Column<'a> {
     stem: String,
@@ -83,7 +89,7 @@ fn html(device: &str, sizes: Sizes, all: &[Judged]) -> String {
     for judged in all {
         section(&mut page, judged);
     }
-    page + "</main>\n"
+    page + ROUGH + "</main>\n"
 }
 
 fn section(page: &mut String, judged: &Judged) {

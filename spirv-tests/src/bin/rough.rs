@@ -1,0 +1,55 @@
+//! Colors a rough surface by height on the device, judges every method against rays through all heights, and writes a
+//! picture and a table.
+#![deny(missing_docs)]
+
+use clap::Parser;
+use indicatif::{ProgressBar, ProgressStyle};
+use prefilter::gpu::Device;
+use spirv_tests::rough::judge::{judge, Extent};
+use spirv_tests::rough::{page, table, Error};
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+/// Colors a rough surface by height, near and far, from overhead to grazing, prints how far each method is from the
+/// truth, and writes a picture and a table.
+#[derive(Parser)]
+struct Arguments {
+    /// Small pictures of one surface.
+    #[arg(long)]
+    quick: bool,
+    /// The folder of the report; made if need be.
+    #[arg(long, value_name = "DIR", default_value = "target/demo")]
+    out: PathBuf,
+}
+
+const FULL: Extent = Extent { size: [246, 112], strata: 16, seeds: 4 };
+const QUICK: Extent = Extent { size: [123, 56], strata: 16, seeds: 1 };
+
+fn main() -> ExitCode {
+    match rough(&Arguments::parse()) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn rough(arguments: &Arguments) -> Result<(), Error> {
+    let extent = if arguments.quick { QUICK } else { FULL };
+    let device = Device::new()?;
+    let bar = ProgressBar::new(extent.rays()).with_style(style());
+    let judged = judge(&device, extent, &|shot| bar.inc(shot))?;
+    bar.finish_and_clear();
+    println!("{}", table::legend(device.label(), extent.size, extent.seeds));
+    println!("{}", table::text(&judged));
+    let written = page::write(&arguments.out, &judged)?;
+    println!("written: {}", written.map(|path| path.display().to_string()).join(", "));
+    Ok(())
+}
+
+/// Rays and the time left.
+fn style() -> ProgressStyle {
+    let template = "rays     {bar:40} {percent:>3} %, {eta} left";
+    ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar())
+}
