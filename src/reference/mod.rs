@@ -7,6 +7,7 @@ pub mod height;
 pub mod heights;
 pub mod moments;
 pub mod normal;
+pub mod normals;
 pub mod percentile;
 pub mod perturbed;
 pub mod quadrature;

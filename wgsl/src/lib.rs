@@ -41,6 +41,7 @@ pub const FILES: &[File] = shelf![
     "footprint/footprint.wgsl",
     "footprint/taps.wgsl",
     "visibility/heights.wgsl",
+    "visibility/normals.wgsl",
     "visibility/slopes.wgsl",
     "visibility/smith.wgsl",
     "visibility/visibility.wgsl",

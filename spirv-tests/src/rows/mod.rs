@@ -9,6 +9,7 @@ mod height;
 mod heights;
 mod moments;
 mod normal;
+mod normals;
 mod percentile;
 mod slopes;
 mod smith;
@@ -139,6 +140,7 @@ pub fn all() -> Vec<Row> {
         heights::rows(),
         moments::rows(),
         normal::rows(),
+        normals::rows(),
         percentile::rows(),
         slopes::rows(),
         smith::rows(),
