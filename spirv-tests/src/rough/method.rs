@@ -12,7 +12,7 @@ pub enum Method {
     Texture,
     /// Heitz et al. 2014: their fits of the visible heights, and the sum of the Λ of view and light.
     Paper,
-    /// The heights seen and lit as two normal distributions, and the correlation of view and light.
+    /// The distribution of the heights seen and lit in closed form, and the correlation of view and light.
     Ours,
 }
 
@@ -51,8 +51,10 @@ impl Method {
         // The color map in closed form for everyone: what differs is the heights.
         let scene = Scene::new("surface").height(map).accuracy(Accuracy::default().without_tables());
         let (tier, hotspot) = match self {
-            Self::Texture | Self::Ours => (HeightTier::Mixture, true),
+            // For its color over all heights and its shadows.
+            Self::Texture => (HeightTier::Gaussian, true),
             Self::Paper => (HeightTier::Paper, false),
+            Self::Ours => (HeightTier::ClosedForm, true),
         };
         let microsurface = Microsurface { hotspot, mean_slope: true, ..Microsurface::default() };
         Ok(scene.height_tier(tier).microsurface(microsurface).module()?)
