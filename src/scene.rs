@@ -2,6 +2,7 @@
 
 mod candidate;
 mod explanation;
+mod heights;
 mod percentile;
 
 use crate::accuracy::{Accuracy, Ranges};
@@ -145,7 +146,8 @@ impl Scene {
         Self { ranges: Some(ranges), ..self }
     }
 
-    /// Where mean and deviation come from. Exports `NAME_color(position, dpdx, dpdy, …)` besides `NAME_texture`.
+    /// Where mean and deviation come from. Exports `NAME_color(position, dpdx, dpdy, …)` besides `NAME_texture` or
+    /// `NAME_height`, whose slopes, view and light it takes behind the derivatives.
     ///
     /// ```
     /// use prefilter::{ColorMap, Driver, Moments, Scene, Taps};

@@ -41,13 +41,36 @@ impl Driver {
         }
     }
 
-    /// The WGSL of `NAME_color`, which calls `NAME_texture`.
-    ///
-    /// `extra_parameters` and `extra_arguments` are empty or begin with a comma: what `NAME_texture` takes after the
-    /// deviation.
-    pub(crate) fn glue(&self, name: &str, color_type: &str, extra_parameters: &str, extra_arguments: &str) -> String {
+    /// The WGSL of `NAME_color`, which calls a filter.
+    pub(crate) fn glue(&self, called: &Called<'_>) -> String {
         match self {
-            Self::Moments(moments) => moments::glue(name, color_type, extra_parameters, extra_arguments, moments),
+            Self::Moments(moments) => moments::glue(called, moments),
         }
+    }
+}
+
+/// The filter that a driver's export calls for each tap.
+pub(crate) struct Called<'a> {
+    /// The scene's name.
+    pub name: &'a str,
+    /// What follows it in the filter's name: `texture`.
+    pub function: &'a str,
+    /// The type of the filter's result.
+    pub color_type: &'a str,
+    /// What the filter takes after mean and deviation, the same for every tap, each parameter behind a comma.
+    pub given: &'a str,
+    /// The tables that it takes behind that, each parameter behind a comma.
+    pub parameters: &'a str,
+    /// Their arguments, each behind a comma.
+    pub arguments: &'a str,
+}
+
+impl Called<'_> {
+    /// The call for the statistics `m`.
+    pub(crate) fn call(&self) -> String {
+        let Self { name, function, arguments, .. } = self;
+        let given = self.given.split(", ").filter_map(|parameter| parameter.split_once(": "));
+        let given: String = given.map(|(name, _)| format!(", {name}")).collect();
+        format!("{name}_{function}(m.x, m.y{given}{arguments})")
     }
 }

@@ -1,5 +1,6 @@
 //! The tabulated driver: an image whose moments over a footprint are read from a pyramid.
 
+use super::Called;
 use crate::Error;
 
 /// A driver that reads mean and deviation over the pixel's footprint from a
@@ -124,17 +125,9 @@ pub(crate) fn gap(taps: Taps) -> String {
     )
 }
 
-/// The WGSL of `NAME_color`, which drives `NAME_texture` by the moments of an image.
-///
-/// `extra_parameters` and `extra_arguments` are empty or begin with a comma: what `NAME_texture` takes after the
-/// deviation.
-pub(crate) fn glue(
-    name: &str,
-    color_type: &str,
-    extra_parameters: &str,
-    extra_arguments: &str,
-    moments: &Moments,
-) -> String {
+/// The WGSL of `NAME_color`, which drives a filter by the moments of an image.
+pub(crate) fn glue(called: &Called<'_>, moments: &Moments) -> String {
+    let Called { name, color_type, given, parameters, .. } = *called;
     let footprint = match moments.pixel {
         Pixel::Round(deviation) => {
             format!("footprint_covariance_round(dpdx * size, dpdy * size, {deviation:?})")
@@ -149,19 +142,20 @@ pub(crate) fn glue(
             "one tap".to_owned(),
             format!(
                 "    let m = moments_read(moments, moments_sampler, position, footprint);
-    return {name}_texture(m.x, m.y{extra_arguments});
-"
+    return {};
+",
+                called.call()
             ),
         ),
-        _ => (format!("{taps} taps"), taps_loop(name, color_type, extra_arguments, taps)),
+        _ => (format!("{taps} taps"), taps_loop(called, taps)),
     };
     format!(
         "/// Mean color of `{name}` over a pixel's footprint on an image, by {points}.
 ///
 /// `position` is in texture coordinates, `dpdx` and `dpdy` are its screen derivatives; `moments` is the image's
 /// pyramid of mean and deviation, read at texel centers: its sampler may be of any kind.
-fn {name}_color(position: vec2f, dpdx: vec2f, dpdy: vec2f, moments: texture_2d<f32>, moments_sampler: \
-         sampler{extra_parameters}) -> {color_type} {{
+fn {name}_color(position: vec2f, dpdx: vec2f, dpdy: vec2f{given}, moments: texture_2d<f32>, moments_sampler: \
+         sampler{parameters}) -> {color_type} {{
     let size = vec2f(textureDimensions(moments, 0));
     let footprint = {footprint};
 {body}}}
@@ -170,7 +164,8 @@ fn {name}_color(position: vec2f, dpdx: vec2f, dpdy: vec2f, moments: texture_2d<f
 }
 
 /// The body for several taps; the number of turns is a literal, so that costs can be counted.
-fn taps_loop(name: &str, color_type: &str, extra_arguments: &str, taps: u32) -> String {
+fn taps_loop(called: &Called<'_>, taps: u32) -> String {
+    let (color_type, call) = (called.color_type, called.call());
     format!(
         "    let deviations = footprint_deviations(footprint);
     let axis = footprint_direction(footprint);
@@ -185,7 +180,7 @@ fn taps_loop(name: &str, color_type: &str, extra_arguments: &str, taps: u32) -> 
         let place = taps_place(f32(tap), {taps}.0);
         let at = position + place.x * along + place.y * across;
         let m = moments_read(moments, moments_sampler, at, tap_footprint);
-        let color = {name}_texture(m.x, m.y{extra_arguments});
+        let color = {call};
         sum += place.z * color;
         low = min(low, color);
         high = max(high, color);
@@ -224,7 +219,15 @@ mod tests {
         }\n";
         for taps in [Taps::One, Taps::Two, Taps::Four, Taps::Eight] {
             for pixel in [Pixel::Round(1.0), Pixel::Covariance([0.25, 0.0, 1e-5])] {
-                let glue = glue("rock", "vec4f", ", knots: texture_2d<f32>", ", knots", &Moments { taps, pixel });
+                let called = Called {
+                    name: "rock",
+                    function: "texture",
+                    color_type: "vec4f",
+                    given: "",
+                    parameters: ", knots: texture_2d<f32>",
+                    arguments: ", knots",
+                };
+                let glue = glue(&called, &Moments { taps, pixel });
                 let text = prefilter_wgsl::link(&format!("{texture}{glue}")).unwrap();
                 let module =
                     naga::front::wgsl::parse_str(&text).unwrap_or_else(|e| panic!("{}", e.emit_to_string(&text)));

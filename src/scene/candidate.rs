@@ -6,11 +6,8 @@ use std::fmt::Write;
 use super::Scene;
 use crate::accuracy::Ranges;
 use crate::cost::{self, Cost};
-use crate::filter::height::glue::Glue;
-use crate::filter::height::skewed::skewed;
-use crate::filter::height::tails::tails;
-use crate::filter::height::tier::texture_ranges;
-use crate::filter::height::{self, HeightTier};
+use crate::driver::Called;
+use crate::filter::height::HeightTier;
 use crate::filter::texture::{color_type, filter, Filter};
 use crate::filter::{Kernel, Tier};
 use crate::module::Export;
@@ -21,9 +18,6 @@ use crate::Error;
 
 /// Tiers from which an accuracy chooses; a tie in weight goes to the earlier.
 const LADDER: [Tier; 3] = [Tier::ClosedForm(Kernel::Fast), Tier::ClosedForm(Kernel::Exact), Tier::Table];
-
-/// Tiers of heights over C0 from which an accuracy chooses.
-const HEIGHTS: [HeightTier; 1] = [HeightTier::Gaussian];
 
 /// The shelf's loops over the knots of a map.
 const LOOPS: [&str; 3] = ["texture_knots", "height_knots", "percentile_knots"];
@@ -90,7 +84,7 @@ impl Scene {
     }
 
     /// The tiers of C0 that the scene names or allows.
-    fn tiers(&self) -> Vec<Tier> {
+    pub(super) fn tiers(&self) -> Vec<Tier> {
         let tables = self.accuracy.unwrap_or_default().tables;
         let fits = |tier: &Tier| match tier {
             Tier::ClosedForm(Kernel::Fast) => self.colors == Colors::Constant,
@@ -104,76 +98,10 @@ impl Scene {
         let candidate = |tier: Tier| {
             let filter = filter(map, self.colors, tier, self.chosen_ranges())?;
             let mut glue = self.texture_glue(map, tier, self.chosen_ranges(), &filter);
-            if let Some(driver) = self.driver {
-                glue.push('\n');
-                let tables = &filter.tables;
-                glue += &driver.glue(&self.name, color_type(map), &parameters(tables), &arguments(tables));
-            }
+            glue += &self.driven("texture", map, "", &filter.tables);
             self.candidate(tier.to_string(), None, filter.bound.value(), filter, glue)
         };
         self.tiers().into_iter().map(candidate).collect()
-    }
-
-    fn heights(&self, map: &ColorMap) -> Result<Vec<Candidate>, Error> {
-        if self.driver.is_some() {
-            return Err(Error::Conflict(
-                "a driver goes with a `texture`; a `height` takes mean and deviation".to_owned(),
-            ));
-        }
-        let alone = self.standing_alone(map).into_iter().map(|tier| self.alone(map, tier));
-        let mut candidates = alone.collect::<Result<Vec<_>, _>>()?;
-        if self.height_tier.is_some_and(HeightTier::stands_alone) {
-            return Ok(candidates);
-        }
-        let named = self.height_tier.map_or(HEIGHTS.to_vec(), |tier| vec![tier]);
-        let (name, surface, ranges) = (&self.name, self.microsurface, self.chosen_ranges());
-        let below = texture_ranges(ranges);
-        for texture_tier in self.tiers() {
-            let texture = filter(map, self.colors, texture_tier, below)?;
-            let own = self.texture_glue(map, texture_tier, below, &texture);
-            for &tier in &named {
-                let filter = height::over(&texture, map, tier, surface, ranges, name, &arguments(&texture.tables));
-                let label = format!("{tier} over {texture_tier}");
-                let extra = parameters(&filter.tables);
-                let glue = Glue { name, map, tier, label: &label, surface, percentile: false, parameters: &extra }
-                    .text(&filter);
-                let glue = glue + "\n" + &own;
-                let judged = if self.height_tier.is_some() { texture.bound } else { filter.bound };
-                candidates.push(self.candidate(label, Some(tier), judged.value(), filter, glue)?);
-            }
-        }
-        Ok(candidates)
-    }
-
-    /// The tiers of heights that need no C0 and that the scene names or allows.
-    fn standing_alone(&self, map: &ColorMap) -> Vec<HeightTier> {
-        match (self.height_tier, self.tier) {
-            (Some(tier), _) if tier.stands_alone() => vec![tier],
-            (Some(_), _) | (None, Some(_)) => Vec::new(),
-            (None, None) => {
-                let constant = self.colors == Colors::Constant && !self.microsurface.perturbed;
-                let bands = (constant && height::banded(map)).then_some(HeightTier::Exact);
-                let table = self.accuracy.unwrap_or_default().tables.then_some(HeightTier::Skewed);
-                bands.into_iter().chain(table).chain([HeightTier::ClosedForm]).collect()
-            }
-        }
-    }
-
-    /// The candidate of a tier of heights that needs no C0.
-    fn alone(&self, map: &ColorMap, tier: HeightTier) -> Result<Candidate, Error> {
-        if let Some(named) = self.tier {
-            return Err(Error::Conflict(format!("{named} does not go with {tier}: leave out the tier of values")));
-        }
-        let (name, surface, label) = (&self.name, self.microsurface, tier.to_string());
-        let filter = match tier {
-            HeightTier::Skewed => skewed(map, self.colors, surface, self.chosen_ranges()),
-            HeightTier::ClosedForm => tails(map, self.colors, surface, self.chosen_ranges())?,
-            _ => height::bands(map, self.colors, surface, self.chosen_ranges())?,
-        };
-        let parameters = parameters(&filter.tables);
-        let glue =
-            Glue { name, map, tier, label: &label, surface, percentile: false, parameters: &parameters }.text(&filter);
-        self.candidate(label, Some(tier), filter.bound.value(), filter, glue)
     }
 
     pub(super) fn candidate(
@@ -197,7 +125,22 @@ impl Scene {
         Ok(Candidate { label, height, filter, judged, glue, linked, cost })
     }
 
-    fn texture_glue(&self, map: &ColorMap, tier: Tier, ranges: Ranges, filter: &Filter) -> String {
+    /// The export of the driver, where there is one, which calls `NAME_FUNCTION`; `given` are the parameters of that
+    /// between the driver's statistics and the tables, each with a comma in front.
+    pub(super) fn driven(&self, function: &str, map: &ColorMap, given: &str, tables: &[Table]) -> String {
+        let Some(driver) = self.driver else { return String::new() };
+        let called = Called {
+            name: &self.name,
+            function,
+            color_type: color_type(map),
+            given,
+            parameters: &parameters(tables),
+            arguments: &arguments(tables),
+        };
+        format!("\n{}", driver.glue(&called))
+    }
+
+    pub(super) fn texture_glue(&self, map: &ColorMap, tier: Tier, ranges: Ranges, filter: &Filter) -> String {
         let name = &self.name;
         let mut glue =
             format!("/// Mean color of `{name}` over a pixel that covers a normal distribution, by {tier}.\n///\n");
@@ -232,7 +175,7 @@ pub(super) fn parameters(tables: &[Table]) -> String {
 }
 
 /// `, table, table_sampler` for each table.
-fn arguments(tables: &[Table]) -> String {
+pub(super) fn arguments(tables: &[Table]) -> String {
     let argument = |table: &Table| match table.sampling {
         Sampling::Loaded => format!(", {}", table.name),
         Sampling::Filtered => format!(", {0}, {0}_sampler", table.name),

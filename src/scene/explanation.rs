@@ -26,7 +26,8 @@ impl Scene {
             let _ = writeln!(text, "  passed  {}: error {}; {}", other.label, described(other), other.cost);
         }
         let gap = match (chosen.height, self.driver) {
-            (Some(_), _) => surface::gap(self.microsurface, self.percentile.is_some()),
+            (Some(_), None) => surface::gap(self.microsurface, self.percentile.is_some()),
+            (Some(_), Some(driver)) => format!("{};\n    {}", surface::gap(self.microsurface, false), driver.gap()),
             (None, Some(driver)) => driver.gap(),
             (None, None) => UNDRIVEN.to_owned(),
         };

@@ -1,8 +1,6 @@
 //! Scenes of heights: what they export, choose, leave out and refuse. No device.
 
-use prefilter::{
-    Accuracy, Bound, ColorMap, Colors, Driver, Error, HeightTier, Kernel, Microsurface, Moments, Scene, Tier,
-};
+use prefilter::{Accuracy, Bound, ColorMap, Colors, Error, HeightTier, Kernel, Microsurface, Scene, Tier};
 use spirv_tests::maps::named;
 
 use crate::{Outcome, FAST};
@@ -123,8 +121,6 @@ fn scenes_that_cannot_be_are_refused() -> Outcome {
     assert!(over.contains("leave out the tier"), "{over}");
     let both = conflict(scene("steps6")?.texture(named("terrain")?));
     assert!(both.contains("has a `texture` and a `height`"), "{both}");
-    let driven = conflict(scene("steps6")?.driver(Driver::Moments(Moments::default())));
-    assert!(driven.contains("a driver goes with a `texture`"), "{driven}");
     let fast = scene("terrain")?.colors(Colors::Dynamic).tier(FAST).height_tier(HeightTier::Gaussian);
     assert!(conflict(fast).contains("needs constant colors"));
     Ok(())

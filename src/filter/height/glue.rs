@@ -103,6 +103,13 @@ const TILTED: &str = "
 /// `mean_slope` is that of the mean surface over the plane whose normal is z: a surface of the slope s has a normal
 /// along (-s.x, -s.y, 1). The horizon is that of the mean surface.";
 
+/// What `NAME_height` takes between mean and deviation and the tables, each parameter behind a comma.
+pub(crate) fn given(surface: Microsurface) -> String {
+    let noise = if surface.perturbed { ", noise_mean: f32, noise_deviation: f32" } else { "" };
+    let light = if surface.shadowing { ", light: vec3f" } else { "" };
+    format!("{noise}, {}, view: vec3f{light}", slopes(surface))
+}
+
 /// The parameters of the slopes' statistics.
 fn slopes(surface: Microsurface) -> &'static str {
     if surface.mean_slope {

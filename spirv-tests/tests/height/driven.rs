@@ -1,0 +1,69 @@
+//! Heights from an image's pyramid.
+
+use prefilter::gpu::{Address, Device, Kernel, Work};
+use prefilter::reference::height::mean;
+use prefilter::table::Format;
+use prefilter::{Driver, Edge, HeightTier, Microsurface, MomentMipmap, Moments, Scene, Taps};
+use spirv_tests::maps::named;
+use spirv_tests::random::Random;
+
+use crate::{lambda, Outcome};
+
+const ENTRY: &str = "
+@group(0) @binding(0) var<storage, read_write> colors: array<vec4f>;
+@group(0) @binding(1) var<storage, read> footprint: array<f32>;
+@group(1) @binding(0) var image: texture_2d<f32>;
+@group(1) @binding(1) var image_sampler: sampler;
+@compute @workgroup_size(1)
+fn main() {
+    let reach = footprint[0];
+    let covariance = vec3f(0.25, 0.1, 0.3);
+    let color = rock_color(vec2f(0.3, 0.6), vec2f(reach, 0.0), vec2f(0.0, reach), covariance, vec3f(0.8, 0.0, 0.6),
+        vec3f(0.0, 0.8, 0.6), image, image_sampler);
+    colors[0] = vec4f(color, 0.0);
+}";
+
+/// A footprint over all of the image and more has its mean and deviation, and its color is that of these heights,
+/// however many taps lie in it.
+#[test]
+fn a_pixel_of_a_whole_image_sees_its_heights() -> Outcome {
+    let device = Device::new()?;
+    let mut random = Random::new(3);
+    let heights: Vec<f32> = (0..4096).map(|_| (0.2 + 0.5 * random.unit()) as f32).collect();
+    let mipmap = MomentMipmap::new(64, 64, &heights, Edge::Repeat)?;
+    let table = mipmap.table("image", Format::Rg32Float)?;
+    let texture = device.upload(&table, Address::Repeat)?;
+    let covariance = [0.25, 0.1, 0.3];
+    let sum = lambda([0.8, 0.0, 0.6], covariance) + lambda([0.0, 0.8, 0.6], covariance);
+    let [center, deviation] = mipmap.moments().map(f64::from);
+    let truth = mean(&named("terrain")?.reference(), center, deviation, sum);
+    for taps in [Taps::One, Taps::Four] {
+        let scene = Scene::new("rock").height(named("terrain")?).height_tier(HeightTier::ClosedForm);
+        let module = scene.driver(Driver::Moments(Moments { taps, ..Moments::default() })).module()?;
+        let names: Vec<&str> = module.exports().iter().map(|export| export.name.as_str()).collect();
+        assert_eq!(names, ["rock_height", "rock_visibility", "rock_color"]);
+        assert!(module.explain().contains("footprints are from normal") && module.explain().contains("Smith's model"));
+        let kernel = Kernel::new(&device, module.link(ENTRY)?.wgsl(), "main")?;
+        let work = Work { inputs: &[&[900.0]], textures: &[&texture], invocations: 1, output: 4 };
+        let color = kernel.run(&work)?;
+        for channel in 0..3 {
+            let apart = (f64::from(color[channel]) - truth[channel]).abs();
+            assert!(apart <= f64::from(module.bound().value()), "{taps:?}: {color:?}, {truth:?}");
+        }
+    }
+    Ok(())
+}
+
+/// What the heights take besides stands behind the driver's own parameters, and tables behind the image.
+#[test]
+fn parameters_keep_their_order() -> Outcome {
+    let surface = Microsurface { mean_slope: true, perturbed: true, shadowing: false, ..Microsurface::default() };
+    let scene = Scene::new("rock").height(named("terrain")?).height_tier(HeightTier::Skewed).microsurface(surface);
+    let module = scene.driver(Driver::Moments(Moments::default())).module()?;
+    let color = module.exports().iter().find(|export| export.name == "rock_color").ok_or("no color")?;
+    let names: Vec<&str> = color.parameters().into_iter().map(|(name, _)| name).collect();
+    let expected = "position dpdx dpdy noise_mean noise_deviation mean_slope slope_covariance view moments \
+                    moments_sampler table table_sampler";
+    assert_eq!(names.join(" "), expected);
+    Ok(())
+}

@@ -1,0 +1,76 @@
+//! The tiers of heights that a scene tries.
+
+use super::candidate::{arguments, parameters, Candidate};
+use super::Scene;
+use crate::filter::height::glue::{given, Glue};
+use crate::filter::height::skewed::skewed;
+use crate::filter::height::tails::tails;
+use crate::filter::height::tier::texture_ranges;
+use crate::filter::height::{self, HeightTier};
+use crate::filter::texture::filter;
+use crate::transfer::color_map::{ColorMap, Colors};
+use crate::Error;
+
+/// Tiers of heights over C0 from which an accuracy chooses.
+const HEIGHTS: [HeightTier; 1] = [HeightTier::Gaussian];
+
+impl Scene {
+    pub(super) fn heights(&self, map: &ColorMap) -> Result<Vec<Candidate>, Error> {
+        let alone = self.standing_alone(map).into_iter().map(|tier| self.alone(map, tier));
+        let mut candidates = alone.collect::<Result<Vec<_>, _>>()?;
+        if self.height_tier.is_some_and(HeightTier::stands_alone) {
+            return Ok(candidates);
+        }
+        let named = self.height_tier.map_or(HEIGHTS.to_vec(), |tier| vec![tier]);
+        let (name, surface, ranges) = (&self.name, self.microsurface, self.chosen_ranges());
+        let below = texture_ranges(ranges);
+        for texture_tier in self.tiers() {
+            let texture = filter(map, self.colors, texture_tier, below)?;
+            let own = self.texture_glue(map, texture_tier, below, &texture);
+            for &tier in &named {
+                let filter = height::over(&texture, map, tier, surface, ranges, name, &arguments(&texture.tables));
+                let label = format!("{tier} over {texture_tier}");
+                let extra = parameters(&filter.tables);
+                let glue = Glue { name, map, tier, label: &label, surface, percentile: false, parameters: &extra }
+                    .text(&filter);
+                let driven = self.driven("height", map, &given(surface), &filter.tables);
+                let glue = glue + &driven + "\n" + &own;
+                let judged = if self.height_tier.is_some() { texture.bound } else { filter.bound };
+                candidates.push(self.candidate(label, Some(tier), judged.value(), filter, glue)?);
+            }
+        }
+        Ok(candidates)
+    }
+
+    /// The tiers of heights that need no C0 and that the scene names or allows.
+    fn standing_alone(&self, map: &ColorMap) -> Vec<HeightTier> {
+        match (self.height_tier, self.tier) {
+            (Some(tier), _) if tier.stands_alone() => vec![tier],
+            (Some(_), _) | (None, Some(_)) => Vec::new(),
+            (None, None) => {
+                let constant = self.colors == Colors::Constant && !self.microsurface.perturbed;
+                let bands = (constant && height::banded(map)).then_some(HeightTier::Exact);
+                let table = self.accuracy.unwrap_or_default().tables.then_some(HeightTier::Skewed);
+                bands.into_iter().chain(table).chain([HeightTier::ClosedForm]).collect()
+            }
+        }
+    }
+
+    /// The candidate of a tier of heights that needs no C0.
+    fn alone(&self, map: &ColorMap, tier: HeightTier) -> Result<Candidate, Error> {
+        if let Some(named) = self.tier {
+            return Err(Error::Conflict(format!("{named} does not go with {tier}: leave out the tier of values")));
+        }
+        let (name, surface, label) = (&self.name, self.microsurface, tier.to_string());
+        let filter = match tier {
+            HeightTier::Skewed => skewed(map, self.colors, surface, self.chosen_ranges()),
+            HeightTier::ClosedForm => tails(map, self.colors, surface, self.chosen_ranges())?,
+            _ => height::bands(map, self.colors, surface, self.chosen_ranges())?,
+        };
+        let parameters = parameters(&filter.tables);
+        let glue =
+            Glue { name, map, tier, label: &label, surface, percentile: false, parameters: &parameters }.text(&filter);
+        let glue = glue + &self.driven("height", map, &given(surface), &filter.tables);
+        self.candidate(label, Some(tier), filter.bound.value(), filter, glue)
+    }
+}
