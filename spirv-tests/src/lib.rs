@@ -1,6 +1,7 @@
 //! Every shelf function on a Vulkan device, judged by its own contract against the f64 reference.
 #![deny(missing_docs)]
 
+pub mod any;
 pub mod contract;
 pub mod demo;
 pub mod exports;

@@ -32,6 +32,9 @@ enum Command {
     },
     /// Run every test of the workspace on a real Vulkan device.
     Test {
+        /// Try ten million random inputs where the usual run tries a million or less: some minutes more.
+        #[arg(long)]
+        full: bool,
         /// Passed on to `cargo test`.
         #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
         arguments: Vec<String>,
@@ -43,7 +46,7 @@ enum Command {
 fn main() -> ExitCode {
     let result = match Arguments::parse().command {
         Command::Demo { arguments } => demo(&arguments),
-        Command::Test { arguments } => test(&arguments),
+        Command::Test { full, arguments } => test(full, &arguments),
         Command::Ci => ci::ci(),
     };
     match result {
@@ -62,10 +65,14 @@ fn demo(arguments: &[String]) -> Result<(), String> {
     run(cargo(["run", "--release", "-p", "spirv-tests", "--bin", "rough", "--"]).args(arguments))
 }
 
-fn test(arguments: &[String]) -> Result<(), String> {
+fn test(full: bool, arguments: &[String]) -> Result<(), String> {
     demand::meet(&[Demand::Vulkan, Demand::SpirvTools, Demand::Glslang])?;
     demand::device(|| run(&mut test_binary("device")?))?;
-    run(every_test().args(arguments))
+    let mut tests = every_test();
+    if full {
+        tests.env("PREFILTER_FULL", "1");
+    }
+    run(tests.args(arguments))
 }
 
 /// What `cargo xtask test` runs, alone and as a step of `cargo xtask ci`.

@@ -2,6 +2,7 @@
 
 use prefilter::gpu::Device;
 use prefilter::{HeightTier, Microsurface, Scene};
+use spirv_tests::any;
 use spirv_tests::exports::ExportKernel;
 use spirv_tests::random::Random;
 use spirv_tests::scenes;
@@ -86,38 +87,56 @@ fn the_horizon_is_that_of_the_mean_surface() -> Outcome {
     Ok(())
 }
 
-/// Random bits as numbers: huge, denormal, infinite, of both signs.
+/// Points at a time.
+const BATCH: usize = 100_000;
+
+/// The numbers of a parameter: any bits, or of its own kind, as far as that goes.
+fn any_numbers(random: &mut Random, (name, kind): (&str, &str), wild: bool) -> Vec<f32> {
+    let single = |values: &[f64]| values.iter().map(|value| *value as f32).collect();
+    match (name, kind) {
+        ("view" | "light", _) if !wild => single(&any::direction(random)),
+        ("slope_covariance", _) if !wild => single(&any::covariance(random)),
+        ("mean_slope", _) if !wild => single(&any::slope(random)),
+        (_, "f32") => vec![any::number(random)],
+        (_, "vec2f") => vec![any::number(random), any::number(random)],
+        (_, "vec3f") => vec![any::number(random), any::number(random), any::number(random)],
+        _ => Vec::new(),
+    }
+}
+
+/// Whatever the numbers: huge, denormal, infinite, of both signs, directions about the horizons and covariances of any
+/// size and rank.
 #[test]
 fn any_input_gives_a_color() -> Outcome {
     let device = Device::new()?;
     let mut random = Random::new(77);
-    let mut any = || match random.word() % 8 {
-        0 => [0.0, -0.0, f32::INFINITY, f32::NEG_INFINITY, f32::MAX, 1e-45][random.word() as usize % 6],
-        1..=3 => (2.0 * random.unit() - 1.0) as f32,
-        _ => Some(f32::from_bits(random.word())).filter(|value| !value.is_nan()).unwrap_or(0.5),
-    };
     for (name, scene) in scenes::heights()? {
         let (module, map) = (scene.module()?, scene.map().ok_or("no map")?);
         let (low, high) = map.hull();
         for export in module.exports() {
-            let kind = |kind: &str| match kind {
-                "f32" => 1,
-                "vec2f" => 2,
-                "vec3f" => 3,
-                _ => 0,
-            };
-            let width: usize = export.parameters().iter().map(|parameter| kind(parameter.1)).sum();
-            let points: Vec<f32> = (0..width * 100_000).map(|_| any()).collect();
-            let results = ExportKernel::new(&device, &module, export)?.run(&points)?;
-            assert_eq!(results.len(), 100_000);
+            let kernel = ExportKernel::new(&device, &module, export)?;
             let colored = export.name.ends_with("_height");
-            for (result, point) in results.iter().zip(points.chunks_exact(width)) {
-                for channel in 0..if colored { map.channels() } else { 1 } {
-                    let slack = if module.tables().is_empty() { 0.0 } else { 1e-3 };
-                    let hull = if colored { low[channel] - slack..=high[channel] + slack } else { 0.0..=1.0 };
-                    assert!(hull.contains(&result[channel]), "{name}: {} of {point:?}: {result:?}", export.name);
+            let mut count = 0;
+            while count < any::inputs(BATCH) {
+                let mut point = |index: usize| {
+                    let parameters = export.parameters().into_iter();
+                    parameters
+                        .flat_map(|each| any_numbers(&mut random, each, index.is_multiple_of(2)))
+                        .collect::<Vec<f32>>()
+                };
+                let points: Vec<Vec<f32>> = (0..BATCH).map(&mut point).collect();
+                let results = kernel.run(&points.concat())?;
+                assert_eq!(results.len(), BATCH);
+                for (result, point) in results.iter().zip(&points) {
+                    for channel in 0..if colored { map.channels() } else { 1 } {
+                        let slack = if module.tables().is_empty() { 0.0 } else { 1e-3 };
+                        let hull = if colored { low[channel] - slack..=high[channel] + slack } else { 0.0..=1.0 };
+                        assert!(hull.contains(&result[channel]), "{name}: {} of {point:?}: {result:?}", export.name);
+                    }
                 }
+                count += BATCH;
             }
+            println!("{name}: {count} results of {}", export.name);
         }
     }
     Ok(())

@@ -2,6 +2,8 @@
 
 use std::f64::consts::PI;
 
+use spirv_tests::any;
+
 use crate::{direction, results, single, Random};
 
 const CHAIN: &str = "
@@ -58,53 +60,22 @@ impl Outcome {
     }
 }
 
-/// Directions that are anywhere, near or on the horizon from both sides, near or on the normal, along an axis.
-fn any_direction(random: &mut Random) -> [f64; 3] {
-    let (turn, grazing) = (2.0 * PI * random.unit(), 1e-6 * random.unit());
-    let azimuth = random.pick([turn, turn, 0.0, PI]);
-    let small = random.pick([0.0, 1e-45, 1e-38, 1e-20, 1e-12, grazing, 1e-3]);
-    let sign = random.pick([1.0, 1.0, 1.0, -1.0]);
-    match random.word() % 4 {
-        0 => direction(sign * small, azimuth),
-        1 => single([small * azimuth.cos(), small * azimuth.sin(), sign]),
-        _ => direction(sign * random.unit(), azimuth),
-    }
-}
-
-/// A variance: none, subnormal, small, usual, huge, the largest number, infinite.
-fn any_variance(random: &mut Random) -> f64 {
-    let usual = random.between(1e-6, 4.0);
-    let wide = random.between(1e-38, 3e38);
-    random.pick([0.0, 1e-45, 1e-40, wide, wide, usual, usual, usual, f64::from(f32::MAX), f64::INFINITY])
-}
-
-fn any_covariance(random: &mut Random) -> [f64; 3] {
-    let [xx, yy] = [any_variance(random), any_variance(random)];
-    let xx = random.pick([xx, xx, yy]);
-    let even = 2.0 * random.unit() - 1.0;
-    let correlation = random.pick([-1.0, 0.0, 1.0, even, even, 1.0 - 1e-7, 1e-7 - 1.0]);
-    let xy = xx.sqrt() * yy.sqrt() * correlation;
-    single([xx, if xy.is_nan() { 0.0 } else { xy }, yy])
-}
-
-fn any_slope(random: &mut Random) -> [f64; 2] {
-    let size = random.pick([0.0, 0.0, 0.0, 0.0, 1e-45, 1e-20, 0.5, 0.5, 10.0, 1e30, f64::from(f32::MAX)]);
-    single([size * (2.0 * random.unit() - 1.0), size * (2.0 * random.unit() - 1.0)])
-}
+/// Points at a time.
+const BATCH: usize = 200_000;
 
 fn any_point(random: &mut Random) -> Vec<f64> {
-    let view = any_direction(random);
-    let other = any_direction(random);
+    let view = any::direction(random);
+    let other = any::direction(random);
     let light = random.pick([other, other, other, other, other, view, view, view.map(|x| -x)]);
-    [&view[..], &light, &any_covariance(random), &any_slope(random)].concat()
+    [&view[..], &light, &any::covariance(random), &any::slope(random)].concat()
 }
 
 #[test]
-fn a_million_extreme_inputs_stay_in_their_ranges() {
+fn extreme_inputs_stay_in_their_ranges() {
     let mut random = Random::new(6);
     let (mut hidden, mut partly) = (0, 0);
-    for _ in 0..5 {
-        let points: Vec<Vec<f64>> = (0..200_000).map(|_| any_point(&mut random)).collect();
+    for _ in 0..any::inputs(1_000_000) / BATCH {
+        let points: Vec<Vec<f64>> = (0..BATCH).map(|_| any_point(&mut random)).collect();
         let outcomes = Outcome::all(&points);
         assert_eq!(outcomes.len(), points.len());
         for (point, outcome) in points.iter().zip(&outcomes) {
