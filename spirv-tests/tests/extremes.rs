@@ -3,8 +3,8 @@
 use std::error::Error as StdError;
 
 use prefilter::{
-    Accuracy, ColorMap, Colors, Driver, Error, HeightTier, Kernel, Module, Moments, Pixel, Ranges, Scene, Shader,
-    Table, Taps, Tier,
+    Accuracy, ColorMap, Colors, Driver, Error, HeightTier, Kernel, Microsurface, Module, Moments, Pixel, Ranges, Scene,
+    Shader, Table, Taps, Tier,
 };
 use proptest::prelude::*;
 
@@ -50,6 +50,20 @@ fn pixel() -> impl Strategy<Value = Pixel> {
     prop_oneof![number().prop_map(Pixel::Round), prop::array::uniform3(number()).prop_map(Pixel::Covariance)]
 }
 
+fn surface() -> impl Strategy<Value = Microsurface> {
+    prop::array::uniform5(prop::bool::ANY).prop_map(|[shadowing, hotspot, masking, mean_slope, perturbed]| {
+        Microsurface { shadowing, hotspot, masking, mean_slope, perturbed }
+    })
+}
+
+/// The map with its positions in [0, 1], however close to each other that brings them.
+fn shares(map: &ColorMap) -> Result<ColorMap, TestCaseError> {
+    let mut stops: Vec<_> = map.knots().iter().map(|knot| (knot.position.abs().fract(), knot.right)).collect();
+    stops.sort_by(|a, b| a.0.total_cmp(&b.0));
+    stops.dedup_by_key(|stop| stop.0);
+    ColorMap::gradient(stops).map_err(|error| TestCaseError::fail(error.to_string()))
+}
+
 /// Whether a module's text, numbers and probe hold together.
 fn sound(scene: &Scene) -> Result<(), TestCaseError> {
     let Ok(module) = scene.module() else { return Ok(()) };
@@ -80,13 +94,14 @@ proptest! {
     #[test]
     fn scenes_return(
         stops in stops(), (tier, colors) in tier(), pixel in pixel(), error in number(),
-        mean in (number(), number()), deviation in number(), height in height_tier(),
+        mean in (number(), number()), deviation in number(), height in height_tier(), surface in surface(),
     ) {
         let stops = sorted(&stops);
         let accuracy = Accuracy::max_filter_error(error).without_tables();
         let driver = Driver::Moments(Moments { taps: Taps::Two, pixel });
         let Ok(map) = ColorMap::gradient(stops) else { return Ok(()) };
-        let high = Scene::new("extreme").height(map.clone()).colors(colors).height_tier(height);
+        let high = Scene::new("extreme").height(map.clone()).colors(colors).height_tier(height).microsurface(surface);
+        let shares = Scene::new("extreme").height_percentile(shares(&map)?).colors(colors).microsurface(surface);
         let over = tier.filter(|_| !matches!(height, HeightTier::ClosedForm | HeightTier::Exact));
         let high = over.map_or(high.clone().accuracy(accuracy), |tier| high.tier(tier));
         let scene = Scene::new("extreme").texture(map).colors(colors);
@@ -95,6 +110,8 @@ proptest! {
         sound(&scene.clone().driver(driver))?;
         sound(&scene.clone().ranges(Ranges { mean, deviation }))?;
         sound(&scene.ranges(Ranges { mean, deviation }).driver(driver))?;
+        sound(&shares)?;
+        sound(&high.clone().driver(driver))?;
         sound(&high)?;
         sound(&high.ranges(Ranges { mean, deviation }))?;
     }

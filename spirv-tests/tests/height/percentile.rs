@@ -101,6 +101,34 @@ fn percentiles_keep_their_figure_and_bounds() -> Outcome {
     Ok(())
 }
 
+/// Bounds hold for colors far from 0 and of any size, for many knots and for few, crowded about any place.
+#[test]
+fn any_map_keeps_its_bound() -> Outcome {
+    let device = Device::new()?;
+    for seed in 0..24 {
+        let mut numbers = Random::new(seed);
+        let calls = calls(&mut numbers, 400);
+        let (offset, size) = (numbers.pick([0.0, 1.0, 100.0, -30_000.0]), numbers.pick([1.0, 1e-2, 1e-4, 30_000.0]));
+        let (center, spread) = (numbers.pick([0.0, 0.5, 1.0]), numbers.pick([1.0, 0.1, 1e-3, 1e-6]));
+        let count = numbers.pick([1, 2, 3, 20, 200]);
+        let mut positions: Vec<f32> =
+            (0..count).map(|_| (center + spread * (numbers.unit() - 0.5)).clamp(0.0, 1.0) as f32).collect();
+        positions.sort_by(f32::total_cmp);
+        positions.dedup();
+        let mut color = || [0.0; 4].map(|_: f32| offset + size * numbers.unit() as f32);
+        let stops: Vec<_> = positions.into_iter().map(|at| (at, color())).collect();
+        let map = ColorMap::gradient(stops)?;
+        let largest = offset.abs() + size;
+        for colors in [Colors::Constant, Colors::Dynamic] {
+            let scene = Scene::new("rock").height_percentile(map.clone()).colors(colors);
+            let (bound, found) = (f64::from(scene.module()?.bound().value()), error(&device, &scene, &calls)?);
+            // The reference errs by 2e-11 of a color.
+            assert!(found <= bound + 2e-11 * f64::from(largest), "seed {seed}, {colors:?}: {found:e} of {bound:e}");
+        }
+    }
+    Ok(())
+}
+
 /// What hides the surface is as for heights.
 #[test]
 fn switches_are_those_of_heights() -> Outcome {
@@ -116,6 +144,38 @@ fn switches_are_those_of_heights() -> Outcome {
     let found = error(&device, &hot, &correlated)?;
     // The shelf's independence of azimuths errs by 6e-6.
     assert!(found <= 4e-6, "{found}");
+    Ok(())
+}
+
+/// Below a horizon the color is that of the highest heights, and where nothing is hidden the mean over all of them.
+#[test]
+fn horizons_and_flat_surfaces() -> Outcome {
+    let device = Device::new()?;
+    let map = ColorMap::gradient([(0.0, [0.2, 0.9, 0.1]), (0.3, [0.5, 0.1, 0.7]), (1.0, [0.9, 0.3, 0.4])])?;
+    let up = [0.0, 0.0, 1.0];
+    let (low, level, rough) = ([0.6, 0.0, -0.8], [0.6, 0.8, 0.0], [0.2, 0.1, 0.3]);
+    let points: Vec<f32> = [
+        (rough, low, up),
+        (rough, up, low),
+        (rough, level, up),
+        ([0.0; 3], low, low),
+        ([0.0; 3], [0.6, 0.0, 0.8], [0.0, 0.8, 0.6]),
+        (rough, up, up),
+    ]
+    .into_iter()
+    .flat_map(|(covariance, view, light)| [covariance, view, light].concat())
+    .collect();
+    for colors in [Colors::Constant, Colors::Dynamic] {
+        let module = Scene::new("rock").height_percentile(map.clone()).colors(colors).module()?;
+        let found = ExportKernel::new(&device, &module, &module.exports()[0])?.run(&points)?;
+        let middle = |from: f32, to: f32| 0.5 * (from + to);
+        for channel in 0..3 {
+            let [first, second, last] = [0, 1, 2].map(|knot: usize| map.knots()[knot].right[channel]);
+            let whole = 0.3 * middle(first, second) + 0.7 * middle(second, last);
+            assert!(found[..4].iter().all(|color| (color[channel] - last).abs() < 3e-6), "{found:?}");
+            assert!(found[4..].iter().all(|color| (color[channel] - whole).abs() < 1e-6), "{found:?}");
+        }
+    }
     Ok(())
 }
 
