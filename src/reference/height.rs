@@ -73,10 +73,19 @@ const COMPARED: usize = 32;
 /// mean square.
 pub fn nearest_tails(deviation: f64, lambda: f64) -> [f64; 10] {
     let [mean, own, ..] = moments(lambda);
-    let [from, to] = range(lambda);
+    tails(deviation, [mean, own], range(lambda), |height| cumulative(height, lambda))
+}
+
+/// The same of any distribution with a mean, a deviation and ends.
+pub(super) fn tails(
+    deviation: f64,
+    [mean, own]: [f64; 2],
+    [from, to]: [f64; 2],
+    cumulative: impl Fn(f64) -> f64,
+) -> [f64; 10] {
     let at = |index: usize| own * SPACING * index as f64;
     let area = |low: f64, high: f64, share: fn(f64) -> f64| {
-        let [area] = integrate(low, high, (to - from) / PANELS, |height| [share(cumulative(height, lambda))]);
+        let [area] = integrate(low, high, (to - from) / PANELS, |height| [share(cumulative(height))]);
         area / own
     };
     let above = excesses(|index| {

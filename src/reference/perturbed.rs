@@ -2,7 +2,7 @@
 //! noise, section 5.1 of Heitz et al. 2014, in both orders of integration.
 
 use super::height;
-use super::heights::{density, range};
+use super::heights::{cumulative, density, moments, range};
 use super::normal::density as normal_density;
 use super::quadrature::integrate;
 use super::texture::{self, PiecewiseLinear};
@@ -32,5 +32,17 @@ pub fn over_heights(map: &PiecewiseLinear, mean: f64, deviation: f64, lambda: f6
     integrate(low, high, (high - low) / 16.0, |z| {
         let color = texture::mean(map, mean + noise[0] + deviation * z, noise[1]);
         color.map(|channel| density(z, lambda) * channel)
+    })
+}
+
+/// [`height::nearest_tails`] of visible heights with noise of a deviation in those of all heights on them, where the
+/// sum has the deviation given first.
+pub fn nearest_tails(deviation: f64, lambda: f64, noise_deviation: f64) -> [f64; 10] {
+    let [mean, own, ..] = moments(lambda);
+    let [from, to] = range(lambda);
+    let reach = 8.0 * noise_deviation;
+    height::tails(deviation, [mean, own.hypot(noise_deviation)], [from - reach, to + reach], |at| {
+        let [below] = integrate(-8.0, 8.0, 2.0, |z| [normal_density(z) * cumulative(at - noise_deviation * z, lambda)]);
+        below
     })
 }

@@ -11,6 +11,7 @@ mod moments;
 mod normal;
 mod normals;
 mod percentile;
+mod perturbed;
 mod slopes;
 mod smith;
 mod taps;
@@ -142,6 +143,7 @@ pub fn all() -> Vec<Row> {
         normal::rows(),
         normals::rows(),
         percentile::rows(),
+        perturbed::rows(),
         slopes::rows(),
         smith::rows(),
         taps::rows(),

@@ -105,15 +105,15 @@ fn noise_enlarges_no_step_error() -> Outcome {
     Ok(())
 }
 
-/// It enlarges that of skewed heights, whose family the sum leaves.
+/// It enlarges that of skewed heights, whose family the sum leaves; the tails follow.
 #[test]
 fn skewed_heights_keep_their_figures_with_noise() -> Outcome {
     let device = Device::new()?;
-    for (lambda, figure) in [(0.3, 2e-4), (10.0, 9e-4), (100.0, 2.1e-3), (9000.0, 4.2e-3)] {
+    for (lambda, figure) in [(0.3, 2e-4), (10.0, 6e-4), (100.0, 7e-4), (9999.0, 8.8e-4)] {
         let errors =
-            [0.1, 0.2, 0.28, 0.36, 0.5, 1.0].map(|noise| step_error(&device, HeightTier::ClosedForm, lambda, noise));
+            [0.107, 0.2, 0.28, 0.36, 0.5, 1.0].map(|noise| step_error(&device, HeightTier::ClosedForm, lambda, noise));
         let worst = errors.into_iter().collect::<Result<Vec<f64>, _>>()?.into_iter().fold(0.0, f64::max);
-        println!("skewed heights, lambda {lambda}: {worst:.2e} with noise of 0.1 to 1 deviations");
+        println!("skewed heights, lambda {lambda}: {worst:.2e} with noise of 0.107 to 1 deviations");
         assert!(worst <= figure && worst > 0.5 * figure, "{lambda}: {worst:e}");
     }
     Ok(())

@@ -7,6 +7,7 @@ use prefilter::reference::heights::{
     cumulative, density, lambda_of_skewness, mean, moments, moments_by_parts, perturbed_cumulative, range, sum_moments,
 };
 use prefilter::reference::normal::{cumulative as normal_cumulative, density as normal_density, surprisal};
+use prefilter::reference::perturbed;
 use prefilter::reference::quadrature::integrate;
 
 /// Λ with mean, deviation, skewness and excess kurtosis of the visible heights.
@@ -181,5 +182,20 @@ fn the_nearest_tails_have_the_peak_and_no_nearer_neighbor() {
                 }
             }
         }
+    }
+}
+
+/// Of a noise of no deviation the tails are those of the heights, of much noise those of normal heights.
+#[test]
+fn the_nearest_tails_follow_the_noise() {
+    for lambda in [0.4, 90.0] {
+        let (alone, without) = (nearest_tails(0.7, lambda), perturbed::nearest_tails(0.7, lambda, 0.0));
+        let normal = nearest_tails(0.7, 0.0);
+        let noisy = perturbed::nearest_tails(0.7, lambda, 3.0);
+        for at in 0..10 {
+            assert!((alone[at] - without[at]).abs() < 1e-6, "{lambda}: {alone:?} {without:?}");
+            assert!((normal[at] - noisy[at]).abs() < 2e-3, "{lambda}: {normal:?} {noisy:?}");
+        }
+        assert!((alone[2] - normal[2]).abs() > 1e-2);
     }
 }

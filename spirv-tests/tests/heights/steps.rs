@@ -58,16 +58,16 @@ fn steps_keep_their_figures() -> Outcome {
 const PERTURBED: &str = "
 fn below(height: f32, lambda: f32, noise_deviation: f32) -> f32 {
     let visible = heights_perturbed(heights_moments(lambda), 0.0, 1.0, 0.0, noise_deviation);
-    return 1.0 - height_step(visible.x - height, height_skewed(visible.y, visible.z));
+    return 1.0 - height_step(visible.x - height, perturbed_tails(visible.y, visible.z, noise_deviation));
 }";
 
-/// Noise takes visible heights out of the family that the tails are fitted to, by more than their own step error.
+/// Noise takes visible heights out of the family that the tails are fitted to, and the tails after them.
 #[test]
 fn steps_keep_their_figures_with_noise() -> Outcome {
-    for (low, high, figure) in [(1e-2, 1.0, 4e-4), (1.0, 10.0, 9e-4), (10.0, 100.0, 2.1e-3), (100.0, 1e4, 4.2e-3)] {
+    for (low, high, figure) in [(1e-2, 1.0, 4e-4), (1.0, 10.0, 6e-4), (10.0, 100.0, 7e-4), (100.0, 1e4, 8.8e-4)] {
         let mut points = Vec::new();
         for lambda in lambdas(low, high, 13) {
-            for noise in [0.02, 0.05, 0.1, 0.14, 0.2, 0.3, 0.5, 1.0] {
+            for noise in [0.02, 0.05, 0.1, 0.107, 0.14, 0.2, 0.3, 0.5, 1.0] {
                 points.extend((-40..=80).map(|index| f32s([0.08 * f64::from(index), lambda, noise])));
             }
         }
@@ -75,7 +75,7 @@ fn steps_keep_their_figures_with_noise() -> Outcome {
             |(point, got): (&Vec<f64>, Vec<f64>)| (got[0] - perturbed_cumulative(point[0], point[1], point[2])).abs();
         let worst = points.iter().zip(run(PERTURBED, "below", &points)?).map(error).fold(0.0, worse);
         println!("lambda in [{low}, {high}], with noise: a step is off by {worst:.2e}");
-        assert!(worst <= figure && worst > figure / 2.0, "{worst}");
+        assert!(worst <= figure && worst > 0.7 * figure, "{worst}");
     }
     Ok(())
 }

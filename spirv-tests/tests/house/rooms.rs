@@ -17,6 +17,8 @@ const NEEDS: &[(&str, &[&str])] = &[
 const INSTEAD: &[(&str, &str, &str)] = &[
     // Axes come in pairs: the inverse of the shader's axis is the baker's, which tables need anyway.
     ("wgsl/math/grid.wgsl", "src/reference/grid", "src/table/grid"),
+    // Noise is a switch of the surface that the heights belong to.
+    ("wgsl/filter/perturbed.wgsl", "src/filter/perturbed", "src/filter/height/surface"),
 ];
 
 /// Missing rooms, and files of the shelf that the linker does not know.

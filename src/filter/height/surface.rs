@@ -90,6 +90,10 @@ const TILTED: f64 = 4e-6;
 /// up to 1e4: `noise_leaves_the_family_by_little` in `spirv-tests/tests/height/skewed.rs` measures it.
 const NOISE: f64 = 4.3e-3;
 
+/// What noise adds to the step error of tails, which are moved for it: with noise they err by up to 8.7e-4, as
+/// `steps_keep_their_figures_with_noise` in `spirv-tests/tests/heights/steps.rs` measures for Λ up to 1e4.
+const MOVED: f64 = 5.5e-4;
+
 /// The smallest ω.z − s̄·ω.xy that bounds over tilted surfaces hold from.
 pub(crate) const RISE: f64 = 0.01;
 
@@ -101,7 +105,8 @@ pub(crate) fn step_error(tier: HeightTier, surface: Microsurface) -> f64 {
     // added, which rounds.
     let perturbed = match (surface.perturbed, tier) {
         (false, _) => 0.0,
-        (true, HeightTier::Skewed | HeightTier::ClosedForm) => NOISE + tier::ROUNDED,
+        (true, HeightTier::Skewed) => NOISE + tier::ROUNDED,
+        (true, HeightTier::ClosedForm) => MOVED + tier::ROUNDED,
         (true, _) => tier::ROUNDED,
     };
     tier::step_error(tier) + tilted + perturbed

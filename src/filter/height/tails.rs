@@ -26,7 +26,11 @@ pub(crate) fn tails(map: &ColorMap, colors: Colors, surface: Microsurface, range
     let below = texture_ranges(ranges);
     let (statement, [mean, width]) = visible("heights_moments(seen + lit)", surface);
     let mut body = clamped(surface, ranges) + &statement;
-    body += &format!("    let tails = height_skewed({width}, visible.z);\n");
+    body += &if surface.perturbed {
+        format!("    let tails = perturbed_tails({width}, visible.z, n);\n")
+    } else {
+        format!("    let tails = height_skewed({width}, visible.z);\n")
+    };
     let (rounding, tables, trips) = if colors == Colors::Dynamic {
         let texture = filter(map, colors, Tier::ClosedForm(Kernel::Exact), below)?;
         body += &format!("    return height_knots({mean}, tails, knots){};\n", swizzle(map));
