@@ -64,6 +64,13 @@
 //! lit, for those who have no shadows yet. [`HeightTier`]s differ in how they represent the visible heights,
 //! [`Microsurface`] says what hides them, and [`Module::explain`] what Smith's model itself is off by.
 //!
+//! # Color by slope
+//!
+//! Facets count by their area in the picture: at grazing angles those that face the view. [`Scene::slope`] averages the
+//! map over one component of the slopes that are seen, along any horizontal vector: `NAME_slope` takes the mean and the
+//! covariance of the slopes, the direction of the view and that vector. [`SlopeTier`]s differ in how they represent the
+//! visible slopes; [`SlopeTier::Unweighted`] is for flat meshes whose normals come from a map.
+//!
 //! # Conventions
 //!
 //! - `mean` and `deviation` (σ, never the variance σ²) share the unit of the color map's positions. Deviations below
@@ -112,6 +119,7 @@ pub use driver::moments::{Moments, Pixel, Taps};
 pub use driver::Driver;
 pub use error::Error;
 pub use filter::height::{HeightTier, Microsurface};
+pub use filter::slope::SlopeTier;
 pub use filter::{Kernel, Tier};
 pub use module::{Export, Module, Stage};
 #[cfg(feature = "macros")]

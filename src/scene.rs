@@ -4,10 +4,12 @@ mod candidate;
 mod explanation;
 mod heights;
 mod percentile;
+mod slope;
 
 use crate::accuracy::{Accuracy, Ranges};
 use crate::driver::Driver;
 use crate::filter::height::{HeightTier, Microsurface};
+use crate::filter::slope::SlopeTier;
 use crate::filter::Tier;
 use crate::module::Module;
 use crate::transfer::color_map::{ColorMap, Colors};
@@ -31,10 +33,14 @@ pub struct Scene {
     #[cfg_attr(feature = "serde", serde(default))]
     percentile: Option<ColorMap>,
     #[cfg_attr(feature = "serde", serde(default))]
+    slope: Option<ColorMap>,
+    #[cfg_attr(feature = "serde", serde(default))]
     microsurface: Microsurface,
     colors: Colors,
     tier: Option<Tier>,
     height_tier: Option<HeightTier>,
+    #[cfg_attr(feature = "serde", serde(default))]
+    slope_tier: Option<SlopeTier>,
     accuracy: Option<Accuracy>,
     ranges: Option<Ranges>,
     driver: Option<Driver>,
@@ -48,10 +54,12 @@ impl Scene {
             texture: None,
             height: None,
             percentile: None,
+            slope: None,
             microsurface: Microsurface::default(),
             colors: Colors::default(),
             tier: None,
             height_tier: None,
+            slope_tier: None,
             accuracy: None,
             ranges: None,
             driver: None,
@@ -107,6 +115,32 @@ impl Scene {
         Self { percentile: Some(map), ..self }
     }
 
+    /// Cs: color by one component of the slope, of those slopes of a rough surface that a view sees: cliffs that face a
+    /// direction, snow and rain from one side.
+    ///
+    /// Exports `NAME_slope(mean_slope, slope_covariance, view, direction, …)`, the mean color over the slopes'
+    /// components along a horizontal vector. A facet of the slope s has a normal along (−s.x, −s.y, 1), and counts by
+    /// its area in the picture.
+    ///
+    /// The ranges are those of the component's mean and deviation over all slopes. Bounds are for views above the
+    /// horizon of the mean surface, and for deviations of the component from a thousandth of the largest mean.
+    ///
+    /// ```
+    /// use prefilter::{Accuracy, ColorMap, Scene};
+    /// let dune = ColorMap::gradient([(-0.6, [0.3, 0.2, 0.1]), (0.1, [0.8, 0.6, 0.4]), (0.6, [0.9, 0.8, 0.7])])?;
+    /// let accuracy = Accuracy::max_filter_error(0.02).without_tables();
+    /// let module = Scene::new("dune").slope(dune).accuracy(accuracy).module()?;
+    /// assert_eq!(
+    ///     module.exports()[0].signature,
+    ///     "fn dune_slope(mean_slope: vec2f, slope_covariance: vec3f, view: vec3f, direction: vec2f) -> vec3f"
+    /// );
+    /// # Ok::<(), prefilter::Error>(())
+    /// ```
+    #[must_use]
+    pub fn slope(self, map: ColorMap) -> Self {
+        Self { slope: Some(map), ..self }
+    }
+
     /// What hides parts of the surface that is colored by height. Default: view and light, taken for independent.
     #[must_use]
     pub fn microsurface(self, microsurface: Microsurface) -> Self {
@@ -132,8 +166,14 @@ impl Scene {
         Self { height_tier: Some(tier), ..self }
     }
 
-    /// The largest filter error; the cheapest tier whose bound keeps it is chosen. Default: 1/255, and for heights the
-    /// closest tier where none keeps that.
+    /// This tier of slopes instead of the cheapest that keeps the accuracy, which is then the color map's alone.
+    #[must_use]
+    pub fn slope_tier(self, tier: SlopeTier) -> Self {
+        Self { slope_tier: Some(tier), ..self }
+    }
+
+    /// The largest filter error; the cheapest tier whose bound keeps it is chosen. Default: 1/255, and for heights
+    /// and slopes the closest tier where none keeps that.
     #[must_use]
     pub fn accuracy(self, accuracy: Accuracy) -> Self {
         Self { accuracy: Some(accuracy), ..self }
@@ -164,7 +204,7 @@ impl Scene {
 
     /// The color map, where the scene has one.
     pub fn map(&self) -> Option<&ColorMap> {
-        self.texture.as_ref().or(self.height.as_ref()).or(self.percentile.as_ref())
+        self.texture.as_ref().or(self.height.as_ref()).or(self.percentile.as_ref()).or(self.slope.as_ref())
     }
 
     /// The ranges that bounds hold over: those given, or else those of the map.

@@ -1,7 +1,8 @@
 //! The scenes whose modules are snapshots, and go through every backend and validator.
 
 use prefilter::{
-    Accuracy, ColorMap, Colors, Driver, HeightTier, Kernel, Microsurface, Moments, Pixel, Ranges, Scene, Taps, Tier,
+    Accuracy, ColorMap, Colors, Driver, HeightTier, Kernel, Microsurface, Moments, Pixel, Ranges, Scene, SlopeTier,
+    Taps, Tier,
 };
 
 use crate::maps::{named, random};
@@ -13,7 +14,7 @@ type Result<T> = std::result::Result<T, Box<dyn std::error::Error + Send + Sync>
 /// # Errors
 /// None that the tests have seen: the maps are fixed.
 pub fn all() -> Result<Vec<(&'static str, Scene)>> {
-    Ok([textures()?, heights()?].concat())
+    Ok([textures()?, heights()?, slopes()?].concat())
 }
 
 /// The scenes of values.
@@ -60,6 +61,28 @@ pub fn heights() -> Result<Vec<(&'static str, Scene)>> {
         ("height_percentile", Scene::new("lichen").height_percentile(lichen()?)),
         ("height_percentile_dynamic", Scene::new("lichen").height_percentile(lichen()?).colors(Colors::Dynamic)),
         ("height_masked", Scene::new("moss").height(four).microsurface(masked).tier(FAST)),
+    ])
+}
+
+/// The scenes of slopes.
+///
+/// # Errors
+/// As [`all`].
+pub fn slopes() -> Result<Vec<(&'static str, Scene)>> {
+    let dune = ColorMap::gradient([
+        (-0.6, [0.31, 0.22, 0.12]),
+        (-0.1, [0.55, 0.42, 0.27]),
+        (-0.1, [0.78, 0.63, 0.41]),
+        (0.5, [0.93, 0.84, 0.68]),
+    ])?;
+    let dune = || Scene::new("dune").slope(dune.clone());
+    Ok(vec![
+        ("slope_default", dune()),
+        ("slope_unweighted", dune().slope_tier(SlopeTier::Unweighted)),
+        ("slope_gaussian", dune().slope_tier(SlopeTier::Gaussian).tier(FAST)),
+        ("slope_pair", dune().slope_tier(SlopeTier::Pair).tier(EXACT)),
+        ("slope_table", dune().slope_tier(SlopeTier::Pair).tier(Tier::Table)),
+        ("slope_dynamic", dune().colors(Colors::Dynamic).slope_tier(SlopeTier::Pair).tier(EXACT)),
     ])
 }
 

@@ -8,6 +8,7 @@ use crate::accuracy::Ranges;
 use crate::cost::{self, Cost};
 use crate::driver::Called;
 use crate::filter::height::HeightTier;
+use crate::filter::slope::SlopeTier;
 use crate::filter::texture::{color_type, filter, Filter};
 use crate::filter::{Kernel, Tier};
 use crate::module::Export;
@@ -32,6 +33,8 @@ pub(super) struct Candidate {
     pub label: String,
     /// The tier of heights, in a scene of heights.
     pub height: Option<HeightTier>,
+    /// The tier of slopes, in a scene of slopes.
+    pub slope: Option<SlopeTier>,
     /// The export's body, tables and bound.
     pub filter: Filter,
     /// The part of the bound that the choice is free to lower.
@@ -47,20 +50,18 @@ pub(super) struct Candidate {
 impl Scene {
     /// The lightest candidate within the accuracy, or the named tier; and the others that were tried.
     pub(super) fn choose(&self) -> Result<(Candidate, Vec<Candidate>), Error> {
-        let mut candidates = match (&self.texture, &self.height, &self.percentile) {
-            (Some(map), None, None) => self.textures(map)?,
-            (None, Some(map), None) => self.heights(map)?,
-            (None, None, Some(map)) => vec![self.percentiles(map)?],
-            (None, None, None) => {
-                let what = format!("the scene `{}` filters nothing; give it a `texture` or a `height`", self.name);
-                return Err(Error::Conflict(what));
+        let mut candidates = match (&self.texture, &self.height, &self.percentile, &self.slope) {
+            (Some(map), None, None, None) => self.textures(map)?,
+            (None, Some(map), None, None) => self.heights(map)?,
+            (None, None, Some(map), None) => vec![self.percentiles(map)?],
+            (None, None, None, Some(map)) => self.slopes(map)?,
+            (None, None, None, None) => {
+                let what = "filters nothing; give it a `texture`, a `height` or a `slope`";
+                return Err(Error::Conflict(format!("the scene `{}` {what}", self.name)));
             }
-            (Some(_), _, _) | (_, Some(_), Some(_)) => {
-                let what = format!(
-                    "the scene `{}` has a `texture` and a `height`, or two heights; make a scene of each",
-                    self.name
-                );
-                return Err(Error::Conflict(what));
+            _ => {
+                let what = "has more than one of a `texture`, a `height` and a `slope`; make a scene of each";
+                return Err(Error::Conflict(format!("the scene `{}` {what}", self.name)));
             }
         };
         if candidates.len() == 1 && (self.tier.is_some() || self.height_tier.is_some_and(HeightTier::stands_alone)) {
@@ -122,7 +123,7 @@ impl Scene {
         let table_bytes = filter.tables.iter().map(Table::bytes).sum();
         let calls = self.exports(&glue).into_iter().filter_map(|export| cost::call(module, info, &export.name, &trips));
         let cost = Cost { table_bytes, ..calls.max_by_key(|cost| cost.weight()).unwrap_or_default() };
-        Ok(Candidate { label, height, filter, judged, glue, linked, cost })
+        Ok(Candidate { label, height, slope: None, filter, judged, glue, linked, cost })
     }
 
     /// The export of the driver, where there is one, which calls `NAME_FUNCTION`; `given` are the parameters of that

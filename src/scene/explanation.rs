@@ -6,16 +6,24 @@ use super::candidate::Candidate;
 use super::Scene;
 use crate::accuracy::{Bound, Ranges};
 use crate::filter::height::{self, surface, tier, HeightTier};
+use crate::filter::slope;
 use crate::transfer::color_map::ColorMap;
 
 impl Scene {
     pub(super) fn explain(&self, chosen: &Candidate, passed: &[Candidate]) -> String {
         let Ranges { mean: (low, high), deviation } = self.chosen_ranges();
-        let what = if chosen.height.is_some() { "height (Ch)" } else { "texture (C0)" };
+        let what = match (chosen.height, chosen.slope) {
+            (Some(_), _) => "height (Ch)",
+            (None, Some(_)) => "slope (Cs)",
+            (None, None) => "texture (C0)",
+        };
         let mut text = format!("{}: {what} by {}\n", self.name, chosen.label);
         let _ = writeln!(text, "  error   {}", described(chosen));
         if let (Some(tier), Some(map)) = (chosen.height, self.map()) {
             let _ = writeln!(text, "  covers  {}", self.covered(tier, map));
+        }
+        if let (Some(tier), Some(map)) = (chosen.slope, self.map()) {
+            let _ = writeln!(text, "  covers  {}", self.covered_slopes(tier, map));
         }
         let _ = writeln!(text, "  cost    {} a call", chosen.cost);
         if self.percentile.is_none() {
@@ -29,7 +37,7 @@ impl Scene {
             (Some(_), None) => surface::gap(self.microsurface, self.percentile.is_some()),
             (Some(_), Some(driver)) => format!("{};\n    {}", surface::gap(self.microsurface, false), driver.gap()),
             (None, Some(driver)) => driver.gap(),
-            (None, None) => UNDRIVEN.to_owned(),
+            (None, None) => chosen.slope.map_or_else(|| UNDRIVEN.to_owned(), slope::gap),
         };
         let _ = writeln!(text, "  not in the error: {gap}");
         text
@@ -63,10 +71,15 @@ impl Scene {
 
     fn reason(&self, chosen: &Candidate) -> String {
         let named = "the scene names ";
-        let free = match (chosen.height, self.tier, self.height_tier) {
-            (None, Some(_), _) | (Some(_), Some(_), Some(_)) => return named.to_owned() + "this tier",
-            (_, _, Some(tier)) if tier.stands_alone() => return named.to_owned() + "this tier",
-            (Some(_), None, Some(_)) => named.to_owned() + "the tier of heights; that of the color map is ",
+        let over = match (chosen.height, chosen.slope) {
+            (Some(_), _) => self.height_tier.map(|tier| (tier.stands_alone(), "heights")),
+            (None, _) => self.slope_tier.map(|_| (false, "slopes")),
+        };
+        let free = match (stacked(chosen), self.tier, over) {
+            (false, Some(_), _) | (true, Some(_), Some(_)) | (true, None, Some((true, _))) => {
+                return named.to_owned() + "this tier";
+            }
+            (true, None, Some((false, what))) => format!("{named}the tier of {what}; that of the color map is "),
             _ => String::new(),
         };
         let budget = self.accuracy.unwrap_or_default().max_filter_error;
@@ -83,16 +96,21 @@ impl Scene {
 /// What the bound of a filter without a driver does not cover.
 const UNDRIVEN: &str = "how far a pixel's values are from a normal distribution of that mean and deviation";
 
+/// Whether the bound is that of a distribution and of a map over it.
+fn stacked(candidate: &Candidate) -> bool {
+    candidate.height.is_some() || candidate.slope.is_some()
+}
+
 fn described(candidate: &Candidate) -> String {
     let filter = &candidate.filter;
-    match (candidate.height, filter.bound, filter.tables.first()) {
-        (None, Bound::Estimated(bound), Some(table)) => {
+    match (stacked(candidate), filter.bound, filter.tables.first()) {
+        (false, Bound::Estimated(bound), Some(table)) => {
             format!("{bound:.1e}, estimated: twice the {:.1e} measured between texels", table.error)
         }
-        (Some(_), Bound::Estimated(bound), Some(table)) => {
+        (true, Bound::Estimated(bound), Some(table)) => {
             format!("{bound:.1e}, estimated: with twice the {:.1e} measured between texels", table.error)
         }
-        (None, bound, _) => format!("{:.1e}, guaranteed by the shelf's contracts", bound.value()),
-        (Some(_), bound, _) => format!("{:.1e}, guaranteed by the shelf's contracts and step errors", bound.value()),
+        (false, bound, _) => format!("{:.1e}, guaranteed by the shelf's contracts", bound.value()),
+        (true, bound, _) => format!("{:.1e}, guaranteed by the shelf's contracts and step errors", bound.value()),
     }
 }

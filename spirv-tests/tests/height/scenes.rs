@@ -120,7 +120,7 @@ fn scenes_that_cannot_be_are_refused() -> Outcome {
     let over = conflict(scene("steps6")?.height_tier(HeightTier::Exact).tier(Tier::ClosedForm(Kernel::Fast)));
     assert!(over.contains("leave out the tier"), "{over}");
     let both = conflict(scene("steps6")?.texture(named("terrain")?));
-    assert!(both.contains("has a `texture` and a `height`"), "{both}");
+    assert!(both.contains("more than one of a `texture`, a `height`"), "{both}");
     let fast = scene("terrain")?.colors(Colors::Dynamic).tier(FAST).height_tier(HeightTier::Gaussian);
     assert!(conflict(fast).contains("needs constant colors"));
     Ok(())

@@ -1,7 +1,9 @@
 //! Color by one component of the slope: the reference by two methods, and the shelf's chain on the device against it.
 
 mod chain;
+mod figures;
 mod references;
+mod scenes;
 
 use std::error::Error;
 use std::f64::consts::TAU;

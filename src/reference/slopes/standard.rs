@@ -117,7 +117,7 @@ pub fn nearest_pair(parameter: f64) -> [f64; 4] {
     let mut found = errors(at);
     'search: for _ in 0..30 {
         let Some(change) = change(&found) else { break };
-        for halvings in 0..12 {
+        for halvings in 0..5 {
             let share = 0.5f64.powi(halvings);
             let next = [(at[0] + share * change[0]).clamp(0.0, 1.9), (at[1] + share * change[1]).clamp(0.0, 0.95)];
             let there = errors(next);

@@ -1,0 +1,127 @@
+//! Scenes of slopes: what they export, choose, leave out and refuse; any numbers for inputs.
+
+use prefilter::gpu::Device;
+use prefilter::{Accuracy, ColorMap, Driver, Error, HeightTier, Microsurface, Moments, Scene, SlopeTier, Tier};
+use spirv_tests::exports::ExportKernel;
+use spirv_tests::maps::named;
+use spirv_tests::random::Random;
+use spirv_tests::scenes;
+
+use crate::Outcome;
+
+#[test]
+fn what_is_off_leaves_no_trace() -> Outcome {
+    let scene = Scene::new("moss").slope(named("terrain")?).tier(Tier::Naive);
+    let signature = |tier| {
+        let module = scene.clone().slope_tier(tier).module()?;
+        let exports = module.exports();
+        assert_eq!(exports.len(), 1, "{tier}");
+        Ok::<_, Error>((exports[0].signature.clone(), module.wgsl().to_owned()))
+    };
+    let (flat, text) = signature(SlopeTier::Unweighted)?;
+    assert_eq!(flat, "fn moss_slope(mean_slope: vec2f, slope_covariance: vec3f, direction: vec2f) -> vec3f");
+    assert!(!text.contains("slopes_") && !text.contains("view"), "{text}");
+    let viewed = "fn moss_slope(mean_slope: vec2f, slope_covariance: vec3f, view: vec3f, direction: vec2f) -> vec3f";
+    let (one, text) = signature(SlopeTier::Gaussian)?;
+    assert!(one == viewed && !text.contains("slopes_pair") && !text.contains("slopes_area"), "{text}");
+    let (two, text) = signature(SlopeTier::Pair)?;
+    assert!(two == viewed && text.contains("if parameter > slopes_single") && !text.contains("slopes_skewness"));
+    // The whole chain of a tier without tables.
+    assert!(text.lines().filter(|line| !line.trim_start().starts_with("//")).count() <= 120, "{text}");
+    Ok(())
+}
+
+#[test]
+fn the_accuracy_chooses_among_tiers_of_slopes() -> Outcome {
+    let ramp = ColorMap::gradient([(-0.5, [0.1, 0.3, 0.4]), (0.5, [0.9, 0.6, 0.2])])?;
+    let rock = |error: f32| Scene::new("rock").slope(ramp.clone()).accuracy(Accuracy::max_filter_error(error));
+    for (error, tier) in [(0.05, "one normal distribution over"), (0.02, "two normal distributions over")] {
+        let module = rock(error).module()?;
+        assert!(module.bound().value() <= error);
+        assert!(module.explain().starts_with(&format!("rock: slope (Cs) by {tier}")), "{}", module.explain());
+    }
+    assert!(matches!(rock(1e-3).module(), Err(Error::Accuracy { .. })));
+    // Whoever asks for none takes what there is.
+    let default = Scene::new("rock").slope(ramp.clone()).module()?;
+    assert!(default.explain().contains("rock: slope (Cs) by two") && default.explain().contains("near the closest"));
+    // A tier of slopes that is named leaves the color map's to the accuracy.
+    let one = rock(1e-3).slope_tier(SlopeTier::Gaussian).module()?;
+    assert!(one.explain().contains("the tier of slopes; that of the color map is the lightest"), "{}", one.explain());
+    Ok(())
+}
+
+#[test]
+fn scenes_that_cannot_be_are_refused() -> Outcome {
+    let scene = || Ok::<_, crate::Fault>(Scene::new("rock").slope(named("terrain")?));
+    let conflict = |scene: Scene| match scene.module() {
+        Err(Error::Conflict(message)) => message,
+        other => format!("no conflict: {:?}", other.map(|module| module.explain().to_owned())),
+    };
+    let both = conflict(scene()?.texture(named("terrain")?));
+    assert!(both.contains("more than one of"), "{both}");
+    let driven = conflict(scene()?.driver(Driver::Moments(Moments::default())));
+    assert!(driven.contains("goes without a driver"), "{driven}");
+    assert!(conflict(scene()?.height_tier(HeightTier::Gaussian)).contains("without a tier of heights"));
+    let hidden = Microsurface { shadowing: false, ..Microsurface::default() };
+    assert!(conflict(scene()?.microsurface(hidden)).contains("without what hides heights"));
+    Ok(())
+}
+
+/// Scenes stored before there were slopes still load.
+#[test]
+fn older_files_load() -> Outcome {
+    let scene = Scene::new("rock").texture(named("terrain")?);
+    let mut file = serde_json::to_value(&scene)?;
+    let fields = file.as_object_mut().ok_or("an object")?;
+    for new in ["slope", "slope_tier"] {
+        assert!(fields.remove(new).is_some(), "{new}");
+    }
+    assert_eq!(serde_json::from_value::<Scene>(file)?, scene);
+    Ok(())
+}
+
+/// Any number of 32 bits but NaN, ordinary ones and units among them; infinite ones only where `infinite`.
+fn any(random: &mut Random, infinite: bool) -> f32 {
+    let (even, bits) = (random.unit() as f32, f32::from_bits(random.word()));
+    let small = random.pick([0.0, -0.0, 1.0, -1.0, 1e-45, 1e-38, -1e-20, 1e18]);
+    let value = random.pick([2.0 * even - 1.0, 2.0 * even - 1.0, 8.0 * even - 4.0, small, bits]);
+    if value.is_nan() || (value.is_infinite() && !infinite) {
+        0.5
+    } else {
+        value
+    }
+}
+
+/// Whatever the numbers, colors are finite and in the hull.
+#[test]
+fn colors_stay_in_the_hull() -> Outcome {
+    let device = Device::new()?;
+    let mut random = Random::new(91);
+    for (name, scene) in scenes::slopes()? {
+        let (module, map) = (scene.module()?, scene.map().ok_or("no map")?);
+        let export = &module.exports()[0];
+        let viewed = export.signature.contains("view:");
+        let mut points = Vec::new();
+        for _ in 0..100_000 {
+            let z = 2.0 * random.unit() - 1.0;
+            let (radius, turn) = ((1.0 - z * z).max(0.0).sqrt(), std::f64::consts::TAU * random.unit());
+            let view = [radius * turn.cos(), radius * turn.sin(), z].map(|part| part as f32);
+            // Means and vectors are finite; variances may be anything.
+            points.extend([(); 2].map(|()| any(&mut random, false)));
+            points.extend([(); 3].map(|()| any(&mut random, true)));
+            points.extend_from_slice(if viewed { &view } else { &[] });
+            points.extend([(); 2].map(|()| any(&mut random, false).clamp(-1.0, 1.0)));
+        }
+        let (low, high) = map.hull();
+        let colors = ExportKernel::new(&device, &module, export)?.run(&points)?;
+        assert_eq!(colors.len(), 100_000);
+        for (color, point) in colors.iter().zip(points.chunks_exact(points.len() / 100_000)) {
+            for channel in 0..3 {
+                let slack = if module.tables().is_empty() { 0.0 } else { 5e-4 };
+                let hull = low[channel] - slack..=high[channel] + slack;
+                assert!(hull.contains(&color[channel]), "{name}: {point:?} gives {color:?}");
+            }
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,158 @@
+//! Cs: a color map over one component of the slopes of a rough surface that a view sees.
+//!
+//! A facet of the slope s counts by its area in the picture; the distribution of the slopes that are seen is D_s, in
+//! `wgsl/visibility/slopes.wgsl`. Along any vector it is represented by one or two normal distributions, over each of
+//! which the color is that of C0. Of a flat mesh with a map of normals all slopes count the same.
+//!
+//! Source: Heitz, Nowrouzezahrai, Poulin and Neyret 2014, "Filtering Non-Linear Transfer Functions on Surfaces",
+//! section 5.2, equation 18.
+
+use super::height::variation;
+use super::texture::{color_type, Filter};
+use crate::accuracy::{Bound, Ranges};
+use crate::transfer::color_map::ColorMap;
+
+/// How the distribution of visible slopes is represented: a ladder from the cheapest to the closest.
+///
+/// The step error is the largest difference of its cumulative function from that of D_s, along any vector and for
+/// views above the horizon of the mean surface; times a map's total variation it bounds the error of any map.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum SlopeTier {
+    /// The distribution of all slopes, whatever the view: exact for flat meshes with maps of normals. A step errs by up
+    /// to 0.58 over surfaces that are rough.
+    Unweighted,
+    /// A normal distribution with the mean and covariance of D_s, as in the paper: 4.7e-2.
+    Gaussian,
+    /// Two normal distributions with the mean and covariance of D_s together: 1.2e-2. Evaluates the color map twice,
+    /// once where one is within 5.1e-3.
+    Pair,
+}
+
+impl std::fmt::Display for SlopeTier {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        formatter.write_str(match self {
+            Self::Unweighted => "all slopes alike",
+            Self::Gaussian => "one normal distribution",
+            Self::Pair => "two normal distributions",
+        })
+    }
+}
+
+/// Step errors at the horizon of the mean surface, where they are largest: 0.578 between the normal distribution and
+/// that of Rayleigh; `worst_steps_keep_the_figures_of_their_tiers` in `spirv-tests/tests/slope/figures.rs` measures
+/// them on the device.
+const UNWEIGHTED: f64 = 0.579;
+const GAUSSIAN: f64 = 4.66e-2;
+const PAIR: f64 = 1.19e-2;
+
+/// What rounding adds: φ(0) times 2^-24 of the largest mean over the smallest deviation, 1e-3 of it, for each of three
+/// sums; and of the parameter at a reach of 1e-3.
+const ROUNDED: f64 = 2e-4;
+
+/// The smallest deviation of the component that bounds hold from, as a part of the largest mean.
+const FLOOR: f32 = 1e-3;
+
+/// How far the means of C0 may lie beyond that of all slopes, in deviations: 1.664 for the pair at the horizon.
+const REACH: f32 = 1.67;
+
+/// The step error of a tier.
+pub(crate) fn step_error(tier: SlopeTier) -> f64 {
+    match tier {
+        SlopeTier::Unweighted => UNWEIGHTED,
+        SlopeTier::Gaussian => GAUSSIAN + ROUNDED,
+        SlopeTier::Pair => PAIR + ROUNDED,
+    }
+}
+
+/// The smallest deviation that a bound holds from.
+pub(crate) fn floor(ranges: Ranges) -> f32 {
+    (FLOOR * ranges.mean.0.abs().max(ranges.mean.1.abs())).max(1e-5)
+}
+
+/// The means and deviations that C0 is asked for.
+pub(crate) fn texture_ranges(tier: SlopeTier, ranges: Ranges) -> Ranges {
+    let (low, high) = ranges.mean;
+    let beyond = if tier == SlopeTier::Unweighted { 0.0 } else { REACH * ranges.deviation };
+    Ranges { mean: (low - beyond, high + beyond), ..ranges }
+}
+
+/// The filter of a tier over C0: its body calls `NAME_texture` with the `arguments` of C0's tables.
+pub(crate) fn over(texture: &Filter, map: &ColorMap, tier: SlopeTier, name: &str, arguments: &str) -> Filter {
+    let colored = |of: &str| format!("{name}_texture({of}.x, {of}.y{arguments})");
+    let along = |mean: &str, variance: &str| format!("slopes_along(direction, mean_slope, factor, {mean}, {variance})");
+    let factor = "    let factor = slopes_factor(view, slope_covariance);\n    let parameter = \
+                  slopes_parameter(view, mean_slope, factor);\n";
+    let single = format!(
+        "let moments = slopes_moments(parameter);\n    let component = {};\n    return {};\n",
+        along("moments.x", "moments.y"),
+        colored("component")
+    );
+    let body = match tier {
+        SlopeTier::Unweighted => format!(
+            "    let variance = smith_variance(direction, slope_covariance);\n    let component = \
+             vec2f(dot(direction, mean_slope), sqrt(max(variance, 0.0)));\n    return {};\n",
+            colored("component")
+        ),
+        SlopeTier::Gaussian => format!("{factor}    {single}"),
+        SlopeTier::Pair => format!(
+            "{factor}    if parameter > slopes_single {{
+        {}    }} else {{
+        let pair = slopes_pair(parameter);
+        let low = {};
+        let high = {};
+        return 0.5 * ({} + {});
+    }}
+",
+            single.replace("\n    ", "\n        "),
+            along("pair.x", "pair.y"),
+            along("pair.z", "pair.w"),
+            colored("low"),
+            colored("high")
+        ),
+    };
+    let sum = (variation(map) * step_error(tier)) as f32 + texture.bound.value();
+    let bound = match texture.bound {
+        // Neither the color nor the integral leaves the hull.
+        Bound::Guaranteed(_) => Bound::Guaranteed(sum.min(map.widest_span())),
+        Bound::Estimated(_) => Bound::Estimated(sum),
+    };
+    Filter { body, tables: texture.tables.clone(), bound, trips: texture.trips }
+}
+
+/// `NAME_slope` with a body.
+pub(crate) fn glue(name: &str, map: &ColorMap, tier: SlopeTier, label: &str, parameters: &str, body: &str) -> String {
+    let weighted = tier != SlopeTier::Unweighted;
+    format!(
+        "/// Mean color of `{name}` over {},
+/// by {label}.
+///
+/// Positions of the map are components d · s of slopes s along `direction`, d, of any length. A facet's normal n is
+/// along (-s.x, -s.y, 1): with d = -t.xy the component is n · t / n.z - t.z, how much it faces a direction t. Slopes
+/// have a mean and a covariance, xx, xy, yy.{}
+fn {name}_slope(mean_slope: vec2f, slope_covariance: vec3f, {}direction: vec2f{parameters}) -> {} {{
+{body}}}
+",
+        if weighted { "the slopes that are seen" } else { "all slopes" },
+        if weighted { VIEWED } else { "" },
+        if weighted { "view: vec3f, " } else { "" },
+        color_type(map)
+    )
+}
+
+/// What `NAME_slope` says of its view.
+const VIEWED: &str = "
+///
+/// `view` is a unit vector away from the surface, z along its normal. Below the horizon of the mean surface the color
+/// is that of the slopes that rise above it.";
+
+/// What no bound covers.
+pub(crate) fn gap(tier: SlopeTier) -> String {
+    let model = match tier {
+        SlopeTier::Unweighted => "",
+        SlopeTier::Gaussian | SlopeTier::Pair => {
+            "; that facets hide each\n    other, which Smith's model takes for independent of their slopes"
+        }
+    };
+    format!("how far slopes are from a normal distribution of that mean and covariance{model}")
+}
