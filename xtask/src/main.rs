@@ -79,3 +79,21 @@ fn test(full: bool, arguments: &[String]) -> Result<(), String> {
 fn every_test() -> std::process::Command {
     cargo(["test", "--workspace", "--all-features"])
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_full_run_is_a_flag_in_front() {
+        for (words, asked, passed) in [
+            (&["xtask", "test", "--full", "--test", "height"][..], true, &["--test", "height"][..]),
+            (&["xtask", "test", "-p", "prefilter"], false, &["-p", "prefilter"]),
+        ] {
+            let Command::Test { full, arguments } = Arguments::try_parse_from(words).unwrap().command else {
+                panic!("{words:?}");
+            };
+            assert!(full == asked && arguments == passed, "{words:?}: {full} {arguments:?}");
+        }
+    }
+}

@@ -1,6 +1,6 @@
 //! The functions of a scene of heights: their parameters, what they say, and what they call.
 
-use super::surface::{lambdas, Microsurface};
+use super::surface::{lambdas, Microsurface, RISE};
 use super::tier::HeightTier;
 use crate::filter::texture::{color_type, Filter};
 use crate::transfer::color_map::ColorMap;
@@ -29,28 +29,30 @@ impl Glue<'_> {
         let Self { name, surface, .. } = *self;
         let mut text = self.height(&filter.body);
         let lambdas = lambdas(self.tier, surface);
-        let digits = if self.tier == HeightTier::Exact { "4e-6" } else { "1e-4" };
+        let within = |hotspot| within(self.tier, hotspot, surface);
         let slopes = slopes(surface);
         if surface.shadowing {
             text += &format!(
                 "
-/// Share of what the view sees of `{name}` that is lit: 0 below a horizon. Within {digits} of Smith's model.
+/// Share of what the view sees of `{name}` that is lit: 0 below a horizon. {}
 fn {name}_visibility({slopes}, view: vec3f, light: vec3f) -> f32 {{
 {lambdas}    return visibility_shadowing(seen, lit);
 }}
-"
+",
+                within(surface.hotspot)
             );
         }
         if surface.masking {
             let seen = lambdas.lines().next().unwrap_or_default();
             text += &format!(
                 "
-/// Share of `{name}` that the view sees: 0 below the horizon. Within {digits} of Smith's model.
+/// Share of `{name}` that the view sees: 0 below the horizon. {}
 fn {name}_masking({slopes}, view: vec3f) -> f32 {{
 {seen}
     return visibility_masking(seen);
 }}
-"
+",
+                within(false)
             );
         }
         text
@@ -78,6 +80,24 @@ fn {name}_height({}{}{}, view: vec3f{light}{parameters}) -> {} {{
             lambdas(tier, surface)
         )
     }
+}
+
+/// What shares may be off by: the error of a Λ relative to 1 + Λ, twice that and 6e-6 of the independence of azimuths
+/// where view and light are correlated; a rise over a mean surface adds 1e-5 to either.
+fn within(tier: HeightTier, hotspot: bool, surface: Microsurface) -> String {
+    let digits = match (tier, hotspot, surface.mean_slope) {
+        (HeightTier::Exact, false, false) => "4e-6",
+        (HeightTier::Exact, true, false) => "1e-5",
+        (HeightTier::Exact, false, true) => "2e-5",
+        (HeightTier::Exact, true, true) => "3e-5",
+        (_, false, false) => "1e-4",
+        (_, false, true) => "1.1e-4",
+        (_, true, _) => "2e-4",
+    };
+    if surface.mean_slope {
+        return format!("Within {digits} of Smith's\n/// model for directions that win {RISE} over the mean surface.");
+    }
+    format!("Within {digits} of Smith's model.")
 }
 
 /// What `NAME_height` says of its parameters, where the map is one of heights.

@@ -83,8 +83,12 @@ pub(crate) fn perturbed(moments: &str) -> String {
 }
 
 /// What a step error gains over a tilted surface, for directions that win [`RISE`] over it and mean slopes up to 1:
-/// at most 1/e of the 1e-7/rise that the rounding of the rise costs Λ, relative to 1 + Λ.
-const TILTED: f64 = 4e-6;
+/// at most 1/e of the 1e-7/rise that the rounding of the rise costs each Λ, relative to 1 + Λ.
+const TILTED: f64 = 7.5e-6;
+
+/// What the correlation of view and light adds to a step error: at most 1/e of the 6e-6 that the shelf promises of the
+/// independence of their azimuths.
+const HOTSPOT: f64 = 2.3e-6;
 
 /// How far the sum with noise is from visible heights of the same mean, deviation and skewness, as a step error for Λ
 /// up to 1e4: `noise_leaves_the_family_by_little` in `spirv-tests/tests/height/skewed.rs` measures it.
@@ -109,7 +113,8 @@ pub(crate) fn step_error(tier: HeightTier, surface: Microsurface) -> f64 {
         (true, HeightTier::ClosedForm) => MOVED + tier::ROUNDED,
         (true, _) => tier::ROUNDED,
     };
-    tier::step_error(tier) + tilted + perturbed
+    let hotspot = if surface.hotspot && surface.shadowing { HOTSPOT } else { 0.0 };
+    tier::step_error(tier) + tilted + hotspot + perturbed
 }
 
 /// What no bound of the heights covers, and how much that was measured to be.
