@@ -71,6 +71,11 @@
 //! covariance of the slopes, the direction of the view and that vector. [`SlopeTier`]s differ in how they represent the
 //! visible slopes; [`SlopeTier::Unweighted`] is for flat meshes whose normals come from a map.
 //!
+//! # Light by slope
+//!
+//! Diffuse light depends on the slopes that are seen, too. [`Scene::irradiance`] averages an environment's irradiance
+//! of order 2 and Lambert's cosine over their normals; [`IrradianceTier`]s differ in how they average.
+//!
 //! # Conventions
 //!
 //! - `mean` and `deviation` (σ, never the variance σ²) share the unit of the color map's positions. Deviations below
@@ -119,6 +124,7 @@ pub use driver::moments::{Moments, Pixel, Taps};
 pub use driver::Driver;
 pub use error::Error;
 pub use filter::height::{HeightTier, Microsurface};
+pub use filter::irradiance::IrradianceTier;
 pub use filter::slope::SlopeTier;
 pub use filter::{Kernel, Tier};
 pub use module::{Export, Module, Stage};
@@ -129,6 +135,7 @@ pub use scene::Scene;
 pub use shader::{link, Shader};
 pub use table::Table;
 pub use transfer::color_map::{ColorMap, Colors};
+pub use transfer::irradiance::Irradiance;
 
 /// The README's code blocks are tests, too.
 #[cfg(all(doctest, feature = "macros"))]

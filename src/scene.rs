@@ -3,16 +3,19 @@
 mod candidate;
 mod explanation;
 mod heights;
+mod irradiance;
 mod percentile;
 mod slope;
 
 use crate::accuracy::{Accuracy, Ranges};
 use crate::driver::Driver;
 use crate::filter::height::{HeightTier, Microsurface};
+use crate::filter::irradiance::IrradianceTier;
 use crate::filter::slope::SlopeTier;
 use crate::filter::Tier;
 use crate::module::Module;
 use crate::transfer::color_map::{ColorMap, Colors};
+use crate::transfer::irradiance::Irradiance;
 use crate::{name, Error};
 
 /// What a material needs: what is filtered, over which values, and how closely.
@@ -35,12 +38,16 @@ pub struct Scene {
     #[cfg_attr(feature = "serde", serde(default))]
     slope: Option<ColorMap>,
     #[cfg_attr(feature = "serde", serde(default))]
+    irradiance: Option<Irradiance>,
+    #[cfg_attr(feature = "serde", serde(default))]
     microsurface: Microsurface,
     colors: Colors,
     tier: Option<Tier>,
     height_tier: Option<HeightTier>,
     #[cfg_attr(feature = "serde", serde(default))]
     slope_tier: Option<SlopeTier>,
+    #[cfg_attr(feature = "serde", serde(default))]
+    irradiance_tier: Option<IrradianceTier>,
     accuracy: Option<Accuracy>,
     ranges: Option<Ranges>,
     driver: Option<Driver>,
@@ -55,11 +62,13 @@ impl Scene {
             height: None,
             percentile: None,
             slope: None,
+            irradiance: None,
             microsurface: Microsurface::default(),
             colors: Colors::default(),
             tier: None,
             height_tier: None,
             slope_tier: None,
+            irradiance_tier: None,
             accuracy: None,
             ranges: None,
             driver: None,
@@ -141,6 +150,29 @@ impl Scene {
         Self { slope: Some(map), ..self }
     }
 
+    /// Light from all around on the slopes of a rough surface that a view sees, and Lambert's cosine of one light.
+    ///
+    /// Exports `NAME_irradiance(mean_slope, slope_covariance, view, x, y, z, …)`, the mean irradiance over the normals
+    /// that are seen, x, y and z being the axes of the tangent frame in the environment's space, and
+    /// `NAME_lambert(mean_slope, slope_covariance, view, light)`, the mean of max(n · l, 0). With [`Colors::Dynamic`]
+    /// the environment is a texture of nine texels.
+    ///
+    /// Bounds are for views from 5 degrees above the mean plane, mean slopes up to 0.36 and slope deviations up to 1
+    /// (of [`IrradianceTier::Points`] 0.3) with correlations up to 0.9; that of Lambert's cosine is 0.03 besides.
+    ///
+    /// ```
+    /// use prefilter::{Irradiance, Scene};
+    /// let sky = Irradiance::from_equirectangular(64, 32, &[[0.4, 0.6, 1.0]; 64 * 32])?;
+    /// let module = Scene::new("dune").irradiance(sky).module()?;
+    /// let names: Vec<_> = module.exports().iter().map(|export| export.name.as_str()).collect();
+    /// assert_eq!(names, ["dune_irradiance", "dune_lambert"]);
+    /// # Ok::<(), prefilter::Error>(())
+    /// ```
+    #[must_use]
+    pub fn irradiance(self, light: Irradiance) -> Self {
+        Self { irradiance: Some(light), ..self }
+    }
+
     /// What hides parts of the surface that is colored by height. Default: view and light, taken for independent.
     #[must_use]
     pub fn microsurface(self, microsurface: Microsurface) -> Self {
@@ -170,6 +202,12 @@ impl Scene {
     #[must_use]
     pub fn slope_tier(self, tier: SlopeTier) -> Self {
         Self { slope_tier: Some(tier), ..self }
+    }
+
+    /// This tier of irradiance instead of the cheapest that keeps the accuracy.
+    #[must_use]
+    pub fn irradiance_tier(self, tier: IrradianceTier) -> Self {
+        Self { irradiance_tier: Some(tier), ..self }
     }
 
     /// The largest filter error; the cheapest tier whose bound keeps it is chosen. Default: 1/255, and for heights

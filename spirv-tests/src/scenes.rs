@@ -1,8 +1,8 @@
 //! The scenes whose modules are snapshots, and go through every backend and validator.
 
 use prefilter::{
-    Accuracy, ColorMap, Colors, Driver, HeightTier, Kernel, Microsurface, Moments, Pixel, Ranges, Scene, SlopeTier,
-    Taps, Tier,
+    Accuracy, ColorMap, Colors, Driver, HeightTier, Irradiance, IrradianceTier, Kernel, Microsurface, Moments, Pixel,
+    Ranges, Scene, SlopeTier, Taps, Tier,
 };
 
 use crate::maps::{named, random};
@@ -14,7 +14,7 @@ type Result<T> = std::result::Result<T, Box<dyn std::error::Error + Send + Sync>
 /// # Errors
 /// None that the tests have seen: the maps are fixed.
 pub fn all() -> Result<Vec<(&'static str, Scene)>> {
-    Ok([textures()?, heights()?, slopes()?].concat())
+    Ok([textures()?, heights()?, slopes()?, irradiances()?].concat())
 }
 
 /// The scenes of values.
@@ -23,6 +23,30 @@ pub fn all() -> Result<Vec<(&'static str, Scene)>> {
 /// As [`all`].
 pub fn textures() -> Result<Vec<(&'static str, Scene)>> {
     Ok([constant_colors()?, dynamic_colors()?, driven()?, edges_and_limits()?].concat())
+}
+
+/// The scenes of irradiance: a sky that is bright at its zenith and on one side, over dark ground.
+///
+/// # Errors
+/// As [`all`].
+pub fn irradiances() -> Result<Vec<(&'static str, Scene)>> {
+    let sky = Irradiance::from_harmonics([
+        [0.9, 1.1, 1.4],
+        [0.1, 0.12, 0.1],
+        [0.5, 0.6, 0.9],
+        [0.4, 0.35, 0.2],
+        [0.02, 0.0, -0.03],
+        [0.05, 0.04, 0.02],
+        [0.1, 0.08, 0.11],
+        [0.2, 0.15, 0.1],
+        [-0.04, 0.02, 0.01],
+    ])?;
+    let hill = || Scene::new("hill").irradiance(sky);
+    Ok(vec![
+        ("irradiance_default", hill()),
+        ("irradiance_dynamic", hill().colors(Colors::Dynamic).irradiance_tier(IrradianceTier::FourGaussians)),
+        ("irradiance_points", hill().irradiance_tier(IrradianceTier::Points)),
+    ])
 }
 
 /// The scenes of heights.

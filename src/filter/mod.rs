@@ -1,6 +1,7 @@
 //! Filters: what the mean of a transfer function over a footprint is, tier by tier.
 
 pub mod height;
+pub mod irradiance;
 pub mod percentile;
 pub mod slope;
 mod terms;

@@ -8,6 +8,7 @@ use crate::accuracy::Ranges;
 use crate::cost::{self, Cost};
 use crate::driver::Called;
 use crate::filter::height::HeightTier;
+use crate::filter::irradiance::IrradianceTier;
 use crate::filter::slope::SlopeTier;
 use crate::filter::texture::{color_type, filter, Filter};
 use crate::filter::{Kernel, Tier};
@@ -35,6 +36,8 @@ pub(super) struct Candidate {
     pub height: Option<HeightTier>,
     /// The tier of slopes, in a scene of slopes.
     pub slope: Option<SlopeTier>,
+    /// The tier of irradiance, in a scene of that.
+    pub irradiance: Option<IrradianceTier>,
     /// The export's body, tables and bound.
     pub filter: Filter,
     /// The part of the bound that the choice is free to lower.
@@ -50,21 +53,24 @@ pub(super) struct Candidate {
 impl Scene {
     /// The lightest candidate within the accuracy, or the named tier; and the others that were tried.
     pub(super) fn choose(&self) -> Result<(Candidate, Vec<Candidate>), Error> {
-        let mut candidates = match (&self.texture, &self.height, &self.percentile, &self.slope) {
-            (Some(map), None, None, None) => self.textures(map)?,
-            (None, Some(map), None, None) => self.heights(map)?,
-            (None, None, Some(map), None) => vec![self.percentiles(map)?],
-            (None, None, None, Some(map)) => self.slopes(map)?,
-            (None, None, None, None) => {
-                let what = "filters nothing; give it a `texture`, a `height` or a `slope`";
+        let filtered = (&self.texture, &self.height, &self.percentile, &self.slope, &self.irradiance);
+        let mut candidates = match filtered {
+            (Some(map), None, None, None, None) => self.textures(map)?,
+            (None, Some(map), None, None, None) => self.heights(map)?,
+            (None, None, Some(map), None, None) => vec![self.percentiles(map)?],
+            (None, None, None, Some(map), None) => self.slopes(map)?,
+            (None, None, None, None, Some(light)) => self.irradiances(light)?,
+            (None, None, None, None, None) => {
+                let what = "filters nothing; give it a `texture`, a `height`, a `slope` or `irradiance`";
                 return Err(Error::Conflict(format!("the scene `{}` {what}", self.name)));
             }
             _ => {
-                let what = "has more than one of a `texture`, a `height` and a `slope`; make a scene of each";
+                let what =
+                    "has more than one of a `texture`, a `height`, a `slope` and `irradiance`; make a scene of each";
                 return Err(Error::Conflict(format!("the scene `{}` {what}", self.name)));
             }
         };
-        if candidates.len() == 1 && (self.tier.is_some() || self.height_tier.is_some_and(HeightTier::stands_alone)) {
+        if candidates.len() == 1 && self.names_the_only_one() {
             return Ok((candidates.remove(0), candidates));
         }
         let asked = self.accuracy.unwrap_or_default().max_filter_error;
@@ -82,6 +88,12 @@ impl Scene {
             closest: closest.map_or(String::new(), |candidate| candidate.label.clone()),
             bound: closest.map_or(f32::INFINITY, |candidate| candidate.judged),
         })
+    }
+
+    /// Whether a scene with a single candidate names it, so that no accuracy has a say.
+    fn names_the_only_one(&self) -> bool {
+        let height = self.height_tier.is_some_and(HeightTier::stands_alone);
+        self.tier.is_some() || height || self.irradiance_tier.is_some()
     }
 
     /// The tiers of C0 that the scene names or allows.
@@ -123,7 +135,7 @@ impl Scene {
         let table_bytes = filter.tables.iter().map(Table::bytes).sum();
         let calls = self.exports(&glue).into_iter().filter_map(|export| cost::call(module, info, &export.name, &trips));
         let cost = Cost { table_bytes, ..calls.max_by_key(|cost| cost.weight()).unwrap_or_default() };
-        Ok(Candidate { label, height, slope: None, filter, judged, glue, linked, cost })
+        Ok(Candidate { label, height, slope: None, irradiance: None, filter, judged, glue, linked, cost })
     }
 
     /// The export of the driver, where there is one, which calls `NAME_FUNCTION`; `given` are the parameters of that

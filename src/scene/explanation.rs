@@ -6,16 +6,17 @@ use super::candidate::Candidate;
 use super::Scene;
 use crate::accuracy::{Bound, Ranges};
 use crate::filter::height::{self, surface, tier, HeightTier};
-use crate::filter::slope;
+use crate::filter::{irradiance, slope};
 use crate::transfer::color_map::ColorMap;
 
 impl Scene {
     pub(super) fn explain(&self, chosen: &Candidate, passed: &[Candidate]) -> String {
         let Ranges { mean: (low, high), deviation } = self.chosen_ranges();
-        let what = match (chosen.height, chosen.slope) {
-            (Some(_), _) => "height (Ch)",
-            (None, Some(_)) => "slope (Cs)",
-            (None, None) => "texture (C0)",
+        let what = match (chosen.height, chosen.slope, chosen.irradiance) {
+            (Some(_), ..) => "height (Ch)",
+            (None, Some(_), _) => "slope (Cs)",
+            (None, None, Some(_)) => "irradiance",
+            (None, None, None) => "texture (C0)",
         };
         let mut text = format!("{}: {what} by {}\n", self.name, chosen.label);
         let _ = writeln!(text, "  error   {}", described(chosen));
@@ -25,8 +26,11 @@ impl Scene {
         if let (Some(tier), Some(map)) = (chosen.slope, self.map()) {
             let _ = writeln!(text, "  covers  {}", self.covered_slopes(tier, map));
         }
+        if let Some(tier) = chosen.irradiance {
+            let _ = writeln!(text, "  covers  {}", irradiance::covered(tier));
+        }
         let _ = writeln!(text, "  cost    {} a call", chosen.cost);
-        if self.percentile.is_none() {
+        if self.percentile.is_none() && self.irradiance.is_none() {
             let _ = writeln!(text, "  ranges  means {low} to {high}, deviations to {deviation}");
         }
         let _ = writeln!(text, "  chosen  {}", self.reason(chosen));
@@ -37,6 +41,7 @@ impl Scene {
             (Some(_), None) => surface::gap(self.microsurface, self.percentile.is_some()),
             (Some(_), Some(driver)) => format!("{};\n    {}", surface::gap(self.microsurface, false), driver.gap()),
             (None, Some(driver)) => driver.gap(),
+            (None, None) if chosen.irradiance.is_some() => irradiance::GAP.to_owned(),
             (None, None) => chosen.slope.map_or_else(|| UNDRIVEN.to_owned(), slope::gap),
         };
         let _ = writeln!(text, "  not in the error: {gap}");
@@ -76,6 +81,7 @@ impl Scene {
             (None, _) => self.slope_tier.map(|_| (false, "slopes")),
         };
         let free = match (stacked(chosen), self.tier, over) {
+            _ if self.irradiance_tier.is_some() => return named.to_owned() + "this tier",
             (false, Some(_), _) | (true, Some(_), Some(_)) | (true, None, Some((true, _))) => {
                 return named.to_owned() + "this tier";
             }

@@ -1,8 +1,9 @@
-//! What is applied to the values that a pixel covers: color maps.
+//! What is applied to the values that a pixel covers: color maps, and light by the normal.
 
 pub mod color_map;
 #[cfg(feature = "image")]
 mod image_row;
+pub mod irradiance;
 pub(crate) mod pieces;
 #[cfg(feature = "colorgrad")]
 mod sampled_gradient;

@@ -47,6 +47,7 @@ pub const FILES: &[File] = shelf![
     "visibility/visibility.wgsl",
     "driver/moments.wgsl",
     "filter/height.wgsl",
+    "filter/irradiance.wgsl",
     "filter/perturbed.wgsl",
     "filter/percentile.wgsl",
     "filter/texture.wgsl",

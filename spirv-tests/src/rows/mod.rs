@@ -7,6 +7,7 @@ mod footprint;
 mod grid;
 mod height;
 mod heights;
+mod irradiance;
 mod moments;
 mod normal;
 mod normals;
@@ -139,6 +140,7 @@ pub fn all() -> Vec<Row> {
         grid::rows(),
         height::rows(),
         heights::rows(),
+        irradiance::rows(),
         moments::rows(),
         normal::rows(),
         normals::rows(),

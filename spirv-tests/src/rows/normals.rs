@@ -1,6 +1,6 @@
 //! Visible normals: means by quadrature over the visible slopes, and frames by sums over indices.
 
-use prefilter::reference::normals::{average, means};
+use prefilter::reference::normals::{average, means, of_slope};
 use prefilter::reference::slopes::{standard, Visible};
 
 use super::Row;
@@ -43,19 +43,6 @@ fn gaussian(x: &[f64]) -> [f64; 9] {
     plus(x, added, share * weight, share * square_weight)
 }
 
-/// The means with every index turned: first 3, then the symmetric square by its entries.
-fn turned(x: &[f64]) -> [f64; 9] {
-    let frame = |row: usize, column: usize| x[9 + 3 * column + row];
-    let entry = |i: usize, j: usize| x[[[3, 4, 6], [4, 5, 7], [6, 7, 8]][i][j]];
-    let first = |row: usize| (0..3).map(|i| frame(row, i) * x[i]).sum::<f64>();
-    let square = |row: usize, column: usize| {
-        let pairs = (0..9).map(|at| (at / 3, at % 3));
-        pairs.map(|(i, j)| frame(row, i) * entry(i, j) * frame(column, j)).sum::<f64>()
-    };
-    let squares = [(0, 0), (0, 1), (1, 1), (0, 2), (1, 2), (2, 2)].map(|(row, column)| square(row, column));
-    std::array::from_fn(|at| if at < 3 { first(at) } else { squares[at - 3] })
-}
-
 /// The view is 5 degrees or more above the mean plane.
 fn elevated(x: &[f64]) -> bool {
     x[2] >= 0.0872
@@ -64,9 +51,13 @@ fn elevated(x: &[f64]) -> bool {
 pub(super) fn rows() -> Vec<Row> {
     vec![
         Row::new("normals_plus", |x| plus(x, parts([x[9], x[10]]), x[11], x[12])),
+        Row::new("normals_plus_one", |x| {
+            let normal = of_slope([x[9], x[10]]);
+            std::array::from_fn::<_, 9, _>(|at| x[at] + x[11] * normal[at])
+        }),
         Row::new("normals_gaussian", gaussian),
         Row::new("normals_visible", |x| means(&seen(x))).only_where(elevated),
         Row::new("normals_visible_fast", |x| means(&seen(x))).only_where(elevated),
-        Row::new("normals_turned", turned),
+        Row::new("normals_visible_points", |x| means(&seen(x))).only_where(elevated),
     ]
 }

@@ -1,0 +1,151 @@
+//! Irradiance over the normals of a rough surface that a view sees: light from all around, and Lambert's cosine.
+//!
+//! Irradiance of order 2 is a polynomial of the normal n, so that its mean needs the means of n and n nᵀ only, whatever
+//! the environment.
+//!
+//! Source: Heitz, Nowrouzezahrai, Poulin and Neyret 2014, "Filtering Non-Linear Transfer Functions on Surfaces",
+//! section 5.3; Ramamoorthi and Hanrahan 2001, "An Efficient Representation for Irradiance Environment Maps".
+
+use super::texture::{number, Filter};
+use crate::accuracy::{promise, Bound};
+use crate::table::{Format, Level, Sampling, Table};
+use crate::transfer::color_map::Colors;
+use crate::transfer::irradiance::Irradiance;
+
+/// How the normals that a view sees are averaged: a ladder from the cheapest to the closest.
+///
+/// Errors are the largest ones of irradiance over its mean over all normals, for slope deviations up to 1 and views
+/// from 5 degrees above the mean plane, as `irradiance_keeps_the_figures_of_its_tiers` in
+/// `spirv-tests/tests/irradiance.rs` measures them on the device.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum IrradianceTier {
+    /// The normal of the mean slope: no filtering at all, to compare with. More than the mean itself.
+    Normal,
+    /// Five slopes: 1.1e-2 for slope deviations up to 0.3.
+    Points,
+    /// Three Gaussians: 1e-2.
+    ThreeGaussians,
+    /// Four Gaussians: 2e-3.
+    FourGaussians,
+}
+
+impl std::fmt::Display for IrradianceTier {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        formatter.write_str(match self {
+            Self::Normal => "the normal of the mean slope",
+            Self::Points => "five slopes",
+            Self::ThreeGaussians => "three Gaussians",
+            Self::FourGaussians => "four Gaussians",
+        })
+    }
+}
+
+impl IrradianceTier {
+    /// The shelf function of the means; the normal of the mean slope has none.
+    fn function(self) -> Option<&'static str> {
+        match self {
+            Self::Normal => None,
+            Self::Points => Some("normals_visible_points"),
+            Self::ThreeGaussians => Some("normals_visible_fast"),
+            Self::FourGaussians => Some("normals_visible"),
+        }
+    }
+
+    /// The expression of the means in the tangent frame.
+    fn means(self) -> String {
+        match self.function() {
+            Some(function) => format!("{function}(view, mean_slope, slope_covariance)"),
+            None => "normals_plus_one(normals_means(vec3f(), vec3f(), vec3f()), mean_slope, 1.0)".to_owned(),
+        }
+    }
+}
+
+/// The filter of a tier: its body names the means `m` in the frame x, y, z.
+pub(crate) fn irradiance(light: &Irradiance, colors: Colors, tier: IrradianceTier) -> Filter {
+    let mut body = format!("    let m = irradiance_turned({}, x, y, z);\n", tier.means());
+    let tables = match colors {
+        Colors::Constant => {
+            let terms = ["", "m.first.x", "m.first.y", "m.first.z", "m.level.x", "m.level.y", "m.level.z"];
+            let terms = terms.into_iter().chain(["m.upright.x", "m.upright.y"]);
+            for (term, color) in terms.zip(light.polynomial()) {
+                let color = color.map(number).join(", ");
+                body += &match term {
+                    "" => format!("    var e = vec3f({color});\n"),
+                    _ => format!("    e += {term} * vec3f({color});\n"),
+                };
+            }
+            body += "    return max(e, vec3f());\n";
+            Vec::new()
+        }
+        Colors::Dynamic => {
+            body += "    return irradiance_read(m, environment);\n";
+            vec![environment(light)]
+        }
+    };
+    let bound = match tier.function() {
+        Some(function) => Bound::Guaranteed((promise(function) * most(light)) as f32),
+        // No mean is beyond 1 on either side.
+        None => Bound::Guaranteed(2.0 * most(light) as f32),
+    };
+    Filter { body, tables, bound, trips: 1 }
+}
+
+/// How many times the error of a mean that of irradiance may be: the sum over the terms of a channel, but for the
+/// constant. A frame makes of errors of three components up to √3 of one, of those of nine products up to 3.
+fn most(light: &Irradiance) -> f64 {
+    let sum =
+        |colors: &[[f32; 3]], channel: usize| colors.iter().map(|color| f64::from(color[channel].abs())).sum::<f64>();
+    let (first, squares) = light.polynomial()[1..].split_at(3);
+    let of = |channel: usize| 3f64.sqrt() * sum(first, channel) + 3.0 * sum(squares, channel);
+    [0, 1, 2].map(of).into_iter().fold(0.0, f64::max)
+}
+
+/// The polynomial's colors as one row of texels.
+fn environment(light: &Irradiance) -> Table {
+    let texels = light.polynomial().iter().flat_map(|&[red, green, blue]| [red, green, blue, 0.0]).collect();
+    Table {
+        name: "environment".to_owned(),
+        format: Format::Rgba32Float,
+        sampling: Sampling::Loaded,
+        levels: vec![Level { width: 9, height: 1, depth: 1, texels }],
+        error: 0.0,
+    }
+}
+
+/// `NAME_irradiance` with a body, and `NAME_lambert`.
+pub(crate) fn glue(name: &str, tier: IrradianceTier, label: &str, parameters: &str, body: &str) -> String {
+    format!(
+        "/// Mean irradiance on `{name}` over the normals that are seen,
+/// by {label}.
+///
+/// `view` is a unit vector away from the surface in its tangent frame, z along the normal, in which slopes have a mean
+/// and a covariance, xx, xy, yy: a slope s has a normal along (-s.x, -s.y, 1). `x`, `y` and `z` are that frame's axes
+/// in the space of the environment. Times albedo over pi it is the radiance; what hides the environment is not in it.
+fn {name}_irradiance(mean_slope: vec2f, slope_covariance: vec3f, view: vec3f, x: vec3f, y: vec3f, z: \
+         vec3f{parameters}) -> vec3f {{
+{body}}}
+
+/// Mean of Lambert's cosine of a directional light over the normals of `{name}` that are seen, in the tangent frame.
+fn {name}_lambert(mean_slope: vec2f, slope_covariance: vec3f, view: vec3f, light: vec3f) -> f32 {{
+    return irradiance_lambert({}, light);
+}}
+",
+        tier.means()
+    )
+}
+
+/// What the bound of a tier holds for.
+pub(crate) fn covered(tier: IrradianceTier) -> String {
+    let deviations = match tier {
+        IrradianceTier::Normal => "any slopes",
+        IrradianceTier::Points => "slope deviations to 0.3",
+        IrradianceTier::ThreeGaussians | IrradianceTier::FourGaussians => "slope deviations to 1",
+    };
+    format!("{deviations}, correlations to 0.9, mean slopes to 0.36, views from 5 degrees above the mean plane")
+}
+
+/// What no bound covers.
+pub(crate) const GAP: &str =
+    "how far slopes are from a normal distribution of that mean and covariance, what of the\n    \
+    environment is beyond order 2, about 1 % of its irradiance, and what hides the environment from facets";
