@@ -38,8 +38,8 @@ fn main() -> ExitCode {
 fn rough(arguments: &Arguments) -> Result<(), Error> {
     let extent = if arguments.quick { QUICK } else { FULL };
     let device = Device::new()?;
-    let bar = ProgressBar::new(extent.rays()).with_style(style());
-    let judged = judge(&device, extent, &|shot| bar.inc(shot))?;
+    let bar = ProgressBar::new(extent.rows()).with_style(style());
+    let judged = judge(&device, extent, &|| bar.inc(1))?;
     bar.finish_and_clear();
     println!("{}", table::legend(device.label(), extent.size, extent.seeds));
     println!("{}", table::text(&judged));
@@ -48,8 +48,8 @@ fn rough(arguments: &Arguments) -> Result<(), Error> {
     Ok(())
 }
 
-/// Rays and the time left.
+/// Rows and the time left.
 fn style() -> ProgressStyle {
-    let template = "rays     {bar:40} {percent:>3} %, {eta} left";
+    let template = "rough    {bar:40} {percent:>3} %, {eta} left";
     ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar())
 }

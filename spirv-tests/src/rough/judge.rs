@@ -5,10 +5,11 @@ use super::method::{Method, Renderer, Shown};
 use super::relief::Relief;
 use super::scene::{self, LIGHTS};
 use super::surface::Surface;
-use super::tally::{Region, Tally};
+use super::tally::{Quantity, Region, Tally};
 use super::truth::{Scenery, Seen};
 use super::view::View;
 use super::Error;
+use crate::gap::figure::Figure;
 use crate::imaging::pixel::Pixel;
 use prefilter::gpu::Device;
 
@@ -27,10 +28,9 @@ pub struct Extent {
 }
 
 impl Extent {
-    /// Rays from the eye that [`judge`] shoots, for a progress bar.
-    pub fn rays(self) -> u64 {
-        let pixels = self.size[0] * self.size[1] * scene::views(self.size).len();
-        (2 * self.strata * self.strata * pixels * self.seeds) as u64
+    /// Rows of pixels that [`judge`] finds the truth of, for a progress bar.
+    pub fn rows(self) -> u64 {
+        (2 * self.size[1] * scene::views(self.size).len() * self.seeds) as u64
     }
 }
 
@@ -99,6 +99,34 @@ pub struct Row {
     pub truth: Vec<Tally>,
 }
 
+impl Row {
+    /// Root mean square error of a method over all surfaces, without the variance of the truth; in a region, or of all
+    /// pixels. NaN where there is none.
+    pub fn rms(&self, method: Method, quantity: Quantity, region: Option<Region>) -> f64 {
+        self.figure(method, quantity, region).value
+    }
+
+    /// The same with its standard error over surfaces.
+    pub fn figure(&self, method: Method, quantity: Quantity, region: Option<Region>) -> Figure {
+        let surfaces: Vec<(&Tally, &Tally)> = self.methods[method as usize].iter().zip(&self.truth).collect();
+        let [figure] = Figure::jackknife(&surfaces, |some| {
+            let [shown, truth] = [0, 1].map(|which| {
+                let tallies = some.iter().map(|pair| if which == 0 { pair.0 } else { pair.1 });
+                Tally::rms(tallies, quantity, region)
+            });
+            let left = shown * shown - truth * truth;
+            // The truth's error is independent of the method's and no fault of it.
+            [if left < 0.0 { 0.0 } else { left.sqrt() }]
+        });
+        figure
+    }
+
+    /// The standard error of the truth.
+    pub fn truth_error(&self, quantity: Quantity, region: Option<Region>) -> f64 {
+        Tally::rms(&self.truth, quantity, region)
+    }
+}
+
 /// Everything that is known.
 #[derive(Clone, Debug)]
 pub struct Judged {
@@ -110,11 +138,11 @@ pub struct Judged {
     pub rows: Vec<Row>,
 }
 
-/// Judges every method. `done` is told how many rays have been shot, from several threads.
+/// Judges every method. `done` is called after every row of pixels of the truth, from several threads.
 ///
 /// # Errors
 /// Those of scenes and of the device.
-pub fn judge(device: &Device, extent: Extent, done: &(dyn Fn(u64) + Sync)) -> Result<Judged, Error> {
+pub fn judge(device: &Device, extent: Extent, done: &(dyn Fn() + Sync)) -> Result<Judged, Error> {
     let (views, map) = (scene::views(extent.size), scene::map()?);
     let renderers = Method::ALL.map(|method| Renderer::new(device, map.clone(), method));
     let renderers = renderers.into_iter().collect::<Result<Vec<_>, Error>>()?;
@@ -127,10 +155,9 @@ pub fn judge(device: &Device, extent: Extent, done: &(dyn Fn(u64) + Sync)) -> Re
         let relief = Relief::new(&surface);
         let scenery = Scenery { relief: &relief, map: &reference, pixel: &pixel };
         for (number, view) in views.iter().enumerate() {
-            let rays = (extent.size[0] * extent.strata * extent.strata) as u64;
             let half = |half: u64| {
                 let seed = 2 * (seed * views.len() + number) as u64 + half;
-                scenery.picture(view, &scene::lights(), extent.strata, seed, &|| done(rays))
+                scenery.picture(view, &scene::lights(), extent.strata, seed, done)
             };
             let halves = [half(1), half(2)];
             let known = known::picture(&surface, view, &scene::lights(), &|| ());

@@ -21,7 +21,7 @@ pub fn lights() -> [[f64; 3]; 2] {
     })
 }
 
-/// From overhead to grazing, from near to far.
+/// From grazing to overhead, from near to far.
 pub fn views([width, height]: [usize; 2]) -> [View; 3] {
     let tangents = |degrees: [f64; 2]| degrees.map(|degrees| degrees.to_radians().tan());
     let satellite = Lens::Satellite { first: 0.3, farther: 100.0 };
@@ -30,10 +30,10 @@ pub fn views([width, height]: [usize; 2]) -> [View; 3] {
     let suns = ["sun behind the viewer", "sun ahead"];
     [
         view(
-            "overhead",
-            "from overhead, 100 times farther at the right",
-            ["sun on one side", "on the other"],
-            satellite,
+            "grazing",
+            "grazing: the ground from 0.5 to 10 degrees below the horizon",
+            suns,
+            pinhole([0.5, 10.0], 0.7),
         ),
         view(
             "oblique",
@@ -42,10 +42,10 @@ pub fn views([width, height]: [usize; 2]) -> [View; 3] {
             pinhole([12.0, 40.0], 0.45),
         ),
         view(
-            "grazing",
-            "grazing: the ground from 0.5 to 10 degrees below the horizon",
-            suns,
-            pinhole([0.5, 10.0], 0.7),
+            "overhead",
+            "from overhead, 100 times farther at the right",
+            ["sun on one side", "sun on the other side"],
+            satellite,
         ),
     ]
 }

@@ -1,9 +1,9 @@
 //! The contact sheet: every view under every light by every method, with labels and errors.
 
-use super::judge::{Judged, Look};
+use super::judge::{Judged, Look, Row};
 use super::method::Method;
 use super::scene::LIGHTS;
-use super::tally::{Quantity, Tally};
+use super::tally::{Quantity, Region};
 use crate::imaging::canvas::{Canvas, Letters};
 use crate::imaging::picture::Picture;
 
@@ -50,8 +50,8 @@ pub fn sheet(judged: &Judged) -> Canvas {
         for (column, looks) in panel.shown.iter().chain([&panel.truth]).enumerate() {
             let left = MARGIN + column * (width + GAP);
             canvas.picture(&picture(looks, width), [left, top]);
-            let label = match row.methods.get(column) {
-                Some(tallies) => error(&tallies[0]),
+            let label = match Method::ALL.get(column) {
+                Some(&method) => error(row, method),
                 None => panel.view.suns[panel.light].into(),
             };
             canvas.text(&label, [left, top + height + 2], Letters::Small, INK);
@@ -61,7 +61,10 @@ pub fn sheet(judged: &Judged) -> Canvas {
     canvas
 }
 
-fn error(tally: &Tally) -> String {
-    let rms = |quantity| Tally::rms([tally], quantity, None);
-    format!("RMS error: color {:.3}, light {:.3}", rms(Quantity::Lit), rms(Quantity::Light))
+/// The errors that fit below a picture.
+fn error(row: &Row, method: Method) -> String {
+    let color = row.rms(method, Quantity::Lit, None);
+    let far = row.rms(method, Quantity::Lit, Some(Region::Far));
+    let far = if far.is_nan() { String::new() } else { format!(" (far {far:.3})") };
+    format!("RMS: color {color:.3}{far}, light {:.3}", row.rms(method, Quantity::Light, None))
 }

@@ -1,7 +1,6 @@
 //! Sums of squared errors, by what is judged and by how much of the surface a pixel resolves.
 
 use super::judge::Look;
-use crate::gap::figure::Figure;
 
 /// What is judged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -37,19 +36,21 @@ pub enum Region {
     /// The footprint loses less than half of the variance of heights.
     Near,
     /// It loses more.
+    Between,
+    /// It loses all but a hundredth: the filter alone makes the color.
     Far,
 }
 
 impl Region {
     /// All of them.
-    pub const ALL: [Self; 2] = [Self::Near, Self::Far];
+    pub const ALL: [Self; 3] = [Self::Near, Self::Between, Self::Far];
 
     /// The region of a pixel by the deviation that it loses, of 1.
     pub fn of(deviation: f64) -> Self {
-        if deviation * deviation < 0.5 {
-            Self::Near
-        } else {
-            Self::Far
+        match deviation * deviation {
+            lost if lost < 0.5 => Self::Near,
+            lost if lost < 0.99 => Self::Between,
+            _ => Self::Far,
         }
     }
 
@@ -57,6 +58,7 @@ impl Region {
     pub fn name(self) -> &'static str {
         match self {
             Self::Near => "near",
+            Self::Between => "between",
             Self::Far => "far",
         }
     }
@@ -69,7 +71,7 @@ const DARK: f64 = 0.05;
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Tally {
     /// By quantity and region.
-    sums: [[[f64; 2]; 2]; 4],
+    sums: [[[f64; 2]; 3]; 4],
 }
 
 impl Tally {
@@ -108,12 +110,6 @@ impl Tally {
             }
         }
         (squares / weights).sqrt()
-    }
-
-    /// The same with its standard error over surfaces.
-    pub fn figure(surfaces: &[Self], quantity: Quantity, region: Option<Region>) -> Figure {
-        let [figure] = Figure::jackknife(surfaces, |some| [Self::rms(some.iter().copied(), quantity, region)]);
-        figure
     }
 }
 

@@ -8,6 +8,10 @@ use prefilter::reference::texture::PiecewiseLinear;
 /// How far a point is lifted off the surface before it looks for the light, in deviations of heights.
 const LIFT: f64 = 1e-6;
 
+/// Ground, in deviations of heights, from which on a pixel takes twice as many strata: the more it sees, the more
+/// different it is.
+const WIDE: f64 = 5.0;
+
 /// What a pixel sees, under each light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Seen<const LIGHTS: usize> {
@@ -46,8 +50,8 @@ pub struct Scenery<'a> {
 }
 
 impl Scenery<'_> {
-    /// A picture by `strata`² rays a pixel, each with one more to every light, which are unit vectors toward them.
-    /// `done` is called after every row, from several threads.
+    /// A picture by `strata`² rays a pixel, each with one more to every light, which are unit vectors toward them; by
+    /// four times as many where a pixel is wide. `done` is called after every row, from several threads.
     pub fn picture<const LIGHTS: usize>(
         &self,
         view: &View,
@@ -59,6 +63,8 @@ impl Scenery<'_> {
         let mut picture = vec![Seen::UNKNOWN; view.width * view.height];
         let look = |column: usize, row: usize| {
             let middle = view.middle(column, row);
+            let ray = view.ray(middle);
+            let strata = if ray.width(ray.crossing(0.0)) < WIDE { strata } else { 2 * strata };
             let places = self.pixel.samples(strata, seed, (row * view.width + column) as u64);
             self.look(view, lights, places.map(|[right, down]| [middle[0] + right, middle[1] + down]))
         };

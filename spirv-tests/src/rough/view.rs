@@ -152,7 +152,7 @@ mod tests {
 
     #[test]
     fn lenses_see_what_they_say() {
-        let [satellite, oblique, grazing] = views([101, 51]);
+        let [grazing, oblique, satellite] = views([101, 51]);
         let width = |view: &View, place: [f64; 2]| {
             let ray = view.ray(place);
             ray.width(ray.crossing(0.0))
