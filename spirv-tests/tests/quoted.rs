@@ -68,6 +68,32 @@ fn the_readme_quotes_the_table() -> Outcome {
     Ok(())
 }
 
+#[test]
+fn the_filter_quotes_the_gap_of_visibility() {
+    let sight = rows(include_str!("../../docs/visibility_gap.csv"));
+    let light = rows(include_str!("../../docs/shadowing_gap.csv"));
+    let near = |row: &Row<'_>| row["azimuth"] == "0";
+    let of = |column: &str, other, near_view: bool| largest(&light, column, other, |row| near(row) == near_view);
+    let text = include_str!("../../src/filter/height.rs").replace("\n//!", "");
+    let quoted = [
+        format!("up to {:.2} for one direction", largest(&sight, "step_model", None, |_| true)),
+        format!("{:.2} with a light and {:.2}", of("step_sum", None, false), of("step_sum", None, true)),
+        format!(
+            "up to {:.2}, near the view {:.2}",
+            of("lit_sum", Some("lit"), false),
+            of("lit_sum", Some("lit"), true)
+        ),
+        format!(
+            "by {:.2}, near the view {:.2}",
+            of("lit_corrected", Some("lit"), false),
+            of("lit_corrected", Some("lit"), true)
+        ),
+    ];
+    for quoted in quoted {
+        assert!(text.contains(&quoted), "{quoted} is not in the documentation of heights");
+    }
+}
+
 /// The columns of a table by their names, row by row.
 fn rows(table: &str) -> Vec<Row<'_>> {
     let names: Vec<&str> = table.lines().next().unwrap_or("").split(',').collect();

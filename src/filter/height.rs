@@ -4,6 +4,11 @@
 //! Λ being the sum of Smith's Λ of the view and of the light; the color is the map's mean over the distribution
 //! D_h ∝ Φ(h)^Λ φ(h). How much of the surface is visible at all is an export of its own.
 //!
+//! Bounds and step errors are against that model, Smith's, which is not a surface. By lines of sight over Gaussian
+//! height fields of four spectra, a step errs by up to 0.06 for one direction, by up to 0.09 with a light and 0.22 with
+//! one near the view; the share that is lit errs by up to 0.23, near the view 0.42, and with `hotspot` by 0.24, near
+//! the view 0.04.
+//!
 //! Source: Heitz, Nowrouzezahrai, Poulin and Neyret 2014, "Filtering Non-Linear Transfer Functions on Surfaces",
 //! sections 3 and 5.1.
 
