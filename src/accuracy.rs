@@ -14,9 +14,11 @@ const LARGEST: f32 = crate::transfer::color_map::MAX_COLOR;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Ranges {
-    /// The means that occur. Default: −0.25 to 1.25, those of a map over [0, 1].
+    /// The means that occur, of heights with noise those of the sum. Default: −0.25 to 1.25, those of a map over
+    /// [0, 1].
     pub mean: (f32, f32),
-    /// The largest deviation that occurs; larger ones count as this. Default: 0.5, the largest of any value in [0, 1].
+    /// The largest deviation that occurs, likewise; larger ones count as this. Default: 0.5, the largest of any value
+    /// in [0, 1].
     pub deviation: f32,
 }
 

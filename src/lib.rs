@@ -64,6 +64,10 @@
 //! lit, for those who have no shadows yet. [`HeightTier`]s differ in how they represent the visible heights,
 //! [`Microsurface`] says what hides them, and [`Module::explain`] what Smith's model itself is off by.
 //!
+//! A [`Microsurface`] may also tilt the mean surface and put noise on the heights: exports take what that needs, and
+//! nothing where it is off. [`Scene::height_percentile`] takes a map over the share of the surface that lies below a
+//! height instead: the heights' mean and deviation cancel, and any map is exact.
+//!
 //! # Color by slope
 //!
 //! Facets count by their area in the picture: at grazing angles those that face the view. [`Scene::slope`] averages the
