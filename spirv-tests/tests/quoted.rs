@@ -134,3 +134,16 @@ fn modules_quote_the_gap_of_visibility() -> Outcome {
     }
     Ok(())
 }
+
+#[test]
+fn modules_quote_the_gap_of_visible_slopes() -> Outcome {
+    let slopes = rows(include_str!("../../docs/slope_gap.csv"));
+    let map = ColorMap::gradient([(0.0, [0.0; 3]), (1.0, [1.0; 3])])?;
+    let module = Scene::new("quoting").slope(map).module()?;
+    let gaussian = largest(&slopes, "step_model", None, |row| row["spectrum"] == "gaussian");
+    let all = largest(&slopes, "step_model", None, |_| true);
+    let quoted = format!("up to {gaussian:.2} with a Gaussian autocorrelation, {all:.2} with others");
+    assert!(module.explain().contains(&quoted), "{quoted} is not in {}", module.explain());
+    assert!(README.contains(&format!("Of the slopes that are seen, steps err by up to {all:.2}.")));
+    Ok(())
+}

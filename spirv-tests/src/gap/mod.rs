@@ -60,5 +60,6 @@ pub mod histogram;
 pub mod light;
 pub mod model;
 pub mod sight;
+pub mod slopes;
 pub mod study;
 pub mod table;

@@ -12,6 +12,8 @@ pub const OVERHEAD: f64 = 1e7;
 pub struct Sight {
     /// The heights in sight, by projected area.
     pub heights: Histogram,
+    /// The slopes in sight towards the viewer, in deviations of all slopes, by projected area: negative ones face it.
+    pub slopes: Histogram,
     /// The length on the ground of the segments that face the viewer.
     pub facing: f64,
     /// The length on the ground of what is in sight.
@@ -26,14 +28,15 @@ impl Sight {
     /// The field seen from the far end of its rows. Only the parameter a = cot θ / (√2 σ_s) matters: stretching the
     /// heights stretches the slopes of surface and ray alike.
     pub fn along_rows(field: &Field, parameter: f64) -> Self {
-        let ray = SQRT_2 * parameter * field.slope_deviation();
+        let deviation = field.slope_deviation();
+        let ray = SQRT_2 * parameter * deviation;
         let mut sight = Self::default();
-        field.rows().for_each(|row| sight.add_row(row, ray));
+        field.rows().for_each(|row| sight.add_row(row, ray, 1.0 / deviation));
         sight
     }
 
     /// Relative to the ray through a node, others sink by `ray` a texel ahead: those that still stand higher hide it.
-    fn add_row(&mut self, row: &[f64], ray: f64) {
+    fn add_row(&mut self, row: &[f64], ray: f64, per_slope: f64) {
         let count = row.len();
         let lifted = |index: usize| row[index] - ray * index as f64;
         // Ahead of the row lies the next period, lower by a whole row of rays.
@@ -51,6 +54,7 @@ impl Sight {
                 let share = (area / drop).min(1.0);
                 self.visible += share;
                 self.heights.add_ramp(from, from + share * (to - from), area);
+                self.slopes.add_height((to - from) * per_slope, area);
                 horizon = lifted(index);
             }
         }
@@ -60,6 +64,7 @@ impl Sight {
     /// Adds the sums of another field.
     pub fn add(&mut self, other: &Self) {
         self.heights.add(&other.heights);
+        self.slopes.add(&other.slopes);
         self.facing += other.facing;
         self.visible += other.visible;
         self.facing_area += other.facing_area;

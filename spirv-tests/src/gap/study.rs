@@ -23,7 +23,7 @@ pub struct Extent {
 }
 
 impl Extent {
-    fn views(self, spectrum: Spectrum, seed: u64) -> [Field; 4] {
+    pub(super) fn views(self, spectrum: Spectrum, seed: u64) -> [Field; 4] {
         let [first, second] = Field::pair(spectrum, self.size, self.grain, seed);
         let [third, fourth] = [first.turned(), second.turned()];
         [first, second, third, fourth]

@@ -1,8 +1,9 @@
 //! Visible slopes: the reference against definitions and a second quadrature, the device against the reference, and the
-//! figures that the crate promises.
+//! figures that the crate promises, and the model against height fields.
 
 mod device;
 mod extremes;
+mod gap;
 mod references;
 mod ridges;
 mod standard;

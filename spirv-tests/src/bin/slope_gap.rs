@@ -1,0 +1,52 @@
+//! Measures how far the distribution of visible slopes is from what is in sight of Gaussian height fields.
+#![deny(missing_docs)]
+
+use clap::Parser;
+use indicatif::{ProgressBar, ProgressStyle};
+use spirv_tests::gap::field::Spectrum;
+use spirv_tests::gap::slopes::{row, sloped, HEADER};
+use spirv_tests::gap::study::Extent;
+use spirv_tests::gap::table::directions;
+use std::path::PathBuf;
+use std::{fs, io};
+
+/// Measures how far the distribution of visible slopes is from what is in sight of Gaussian height fields.
+#[derive(Parser)]
+struct Arguments {
+    /// Nodes a side of a field.
+    #[arg(long, default_value_t = 2048)]
+    size: usize,
+    /// The grain of the fields in texels.
+    #[arg(long, default_value_t = 32.0)]
+    grain: f64,
+    /// Seeds, of two fields each.
+    #[arg(long, default_value_t = 8)]
+    seeds: usize,
+    /// The folder of `slope_gap.csv`.
+    #[arg(long, value_name = "DIR", default_value = "target/gap")]
+    out: PathBuf,
+}
+
+fn main() -> io::Result<()> {
+    let Arguments { size, grain, seeds, out } = Arguments::parse();
+    let extent = Extent { size, grain, seeds };
+    let bar = ProgressBar::new((Spectrum::ALL.len() * seeds) as u64);
+    if let Ok(style) = ProgressStyle::with_template("{bar:40} {pos}/{len} {msg} {eta} left") {
+        bar.set_style(style);
+    }
+    // Other deviations of slopes sample the same curve.
+    let directions: Vec<[f64; 3]> = directions().into_iter().filter(|direction| direction[0] == 0.7).collect();
+    let parameters: Vec<f64> = directions.iter().map(|[_, _, parameter]| *parameter).collect();
+    let mut rows = vec![HEADER.to_owned()];
+    for spectrum in Spectrum::ALL {
+        bar.set_message(spectrum.name());
+        let seen = sloped(spectrum, extent, &parameters, &|| bar.inc(1));
+        let named = seen.iter().zip(&directions);
+        rows.extend(named.map(|(seen, [deviation, degrees, _])| row(spectrum.name(), [*deviation, *degrees], seen)));
+    }
+    bar.finish_and_clear();
+    fs::create_dir_all(&out)?;
+    let text = rows.join("\n") + "\n";
+    print!("{text}");
+    fs::write(out.join("slope_gap.csv"), text)
+}
