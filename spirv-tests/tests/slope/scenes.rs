@@ -2,6 +2,7 @@
 
 use prefilter::gpu::Device;
 use prefilter::{Accuracy, ColorMap, Driver, Error, HeightTier, Microsurface, Moments, Scene, SlopeTier, Tier};
+use spirv_tests::any;
 use spirv_tests::exports::ExportKernel;
 use spirv_tests::maps::named;
 use spirv_tests::random::Random;
@@ -80,46 +81,48 @@ fn older_files_load() -> Outcome {
     Ok(())
 }
 
-/// Any number of 32 bits but NaN, ordinary ones and units among them; infinite ones only where `infinite`.
-fn any(random: &mut Random, infinite: bool) -> f32 {
-    let (even, bits) = (random.unit() as f32, f32::from_bits(random.word()));
-    let small = random.pick([0.0, -0.0, 1.0, -1.0, 1e-45, 1e-38, -1e-20, 1e18]);
-    let value = random.pick([2.0 * even - 1.0, 2.0 * even - 1.0, 8.0 * even - 4.0, small, bits]);
-    if value.is_nan() || (value.is_infinite() && !infinite) {
+/// Any finite number, or any that is not NaN.
+fn any_number(random: &mut Random, infinite: bool) -> f32 {
+    let value = any::number(random);
+    if value.is_infinite() && !infinite {
         0.5
     } else {
         value
     }
 }
 
+/// Inputs of one call: means and vectors are finite, variances may be anything.
+fn any_call(random: &mut Random, viewed: bool) -> Vec<f32> {
+    let mut call: Vec<f32> = (0..5).map(|number| any_number(random, number >= 2)).collect();
+    if viewed {
+        call.extend(any::direction(random).map(|part| part as f32));
+    }
+    call.extend((0..2).map(|_| any_number(random, false).clamp(-1.0, 1.0)));
+    call
+}
+
 /// Whatever the numbers, colors are finite and in the hull.
 #[test]
 fn colors_stay_in_the_hull() -> Outcome {
+    const BATCH: usize = 100_000;
     let device = Device::new()?;
     let mut random = Random::new(91);
     for (name, scene) in scenes::slopes()? {
         let (module, map) = (scene.module()?, scene.map().ok_or("no map")?);
         let export = &module.exports()[0];
         let viewed = export.signature.contains("view:");
-        let mut points = Vec::new();
-        for _ in 0..100_000 {
-            let z = 2.0 * random.unit() - 1.0;
-            let (radius, turn) = ((1.0 - z * z).max(0.0).sqrt(), std::f64::consts::TAU * random.unit());
-            let view = [radius * turn.cos(), radius * turn.sin(), z].map(|part| part as f32);
-            // Means and vectors are finite; variances may be anything.
-            points.extend([(); 2].map(|()| any(&mut random, false)));
-            points.extend([(); 3].map(|()| any(&mut random, true)));
-            points.extend_from_slice(if viewed { &view } else { &[] });
-            points.extend([(); 2].map(|()| any(&mut random, false).clamp(-1.0, 1.0)));
-        }
+        let kernel = ExportKernel::new(&device, &module, export)?;
         let (low, high) = map.hull();
-        let colors = ExportKernel::new(&device, &module, export)?.run(&points)?;
-        assert_eq!(colors.len(), 100_000);
-        for (color, point) in colors.iter().zip(points.chunks_exact(points.len() / 100_000)) {
-            for channel in 0..3 {
-                let slack = if module.tables().is_empty() { 0.0 } else { 5e-4 };
-                let hull = low[channel] - slack..=high[channel] + slack;
-                assert!(hull.contains(&color[channel]), "{name}: {point:?} gives {color:?}");
+        let slack = if module.tables().is_empty() { 0.0 } else { 5e-4 };
+        for _ in 0..any::inputs(BATCH) / BATCH {
+            let calls: Vec<Vec<f32>> = (0..BATCH).map(|_| any_call(&mut random, viewed)).collect();
+            let colors = kernel.run(&calls.concat())?;
+            assert_eq!(colors.len(), BATCH);
+            for (color, call) in colors.iter().zip(&calls) {
+                for channel in 0..3 {
+                    let hull = low[channel] - slack..=high[channel] + slack;
+                    assert!(hull.contains(&color[channel]), "{name}: {call:?} gives {color:?}");
+                }
             }
         }
     }
