@@ -108,6 +108,31 @@ fn largest(rows: &[Row<'_>], column: &str, other: Option<&str>, pass: impl Fn(&R
 }
 
 #[test]
+fn the_readme_quotes_the_rough_surface() -> Outcome {
+    let table = rows(include_str!("../../docs/rough.csv"));
+    let figure = |view: &str, method: &str, quantity: &str, region: &str| -> Result<f64, String> {
+        let wanted = [("view", view), ("sun", "behind"), ("method", method), ("quantity", quantity)];
+        let row = table.iter().find(|row| wanted.iter().all(|(column, value)| row[column] == *value));
+        let row = row.ok_or_else(|| format!("rough.csv has no row {wanted:?}"))?;
+        row[region].parse().map_err(|error| format!("{region} of {wanted:?}: {error}"))
+    };
+    let three = |view, region| -> Result<String, String> {
+        let [texture, paper, ours] =
+            ["view-independent", "paper", "ours"].map(|method| figure(view, method, "lit", region));
+        Ok(format!("{:.3}, {:.3} and {:.3}", texture?, paper?, ours?))
+    };
+    let text = README.split_whitespace().collect::<Vec<_>>().join(" ");
+    for quoted in [
+        format!("{} near the horizon", three("grazing", "far")?),
+        format!("{} from overhead", three("overhead", "far")?),
+        format!("{} over all of the grazing view", three("grazing", "rms")?),
+    ] {
+        assert!(text.contains(&quoted), "the README lacks: {quoted}");
+    }
+    Ok(())
+}
+
+#[test]
 fn modules_quote_the_gap_of_visibility() -> Outcome {
     let sight = rows(include_str!("../../docs/visibility_gap.csv"));
     let light = rows(include_str!("../../docs/shadowing_gap.csv"));
