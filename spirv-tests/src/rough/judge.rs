@@ -160,7 +160,7 @@ pub fn judge(device: &Device, extent: Extent, done: &(dyn Fn() + Sync)) -> Resul
                 scenery.picture(view, &scene::lights(), extent.strata, seed, done)
             };
             let halves = [half(1), half(2)];
-            let known = known::picture(&surface, view, &scene::lights(), &|| ());
+            let known = known::picture(&surface, view, &scene::lights());
             for light in 0..COUNT {
                 let panel = panel(&renderers, *view, light, &halves, &known)?;
                 let row = &mut judged.rows[number * COUNT + light];

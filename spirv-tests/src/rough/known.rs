@@ -1,8 +1,8 @@
 //! What filters know of a pixel: a few rays to the filtered surface, and the statistics of what the filter lost there.
 //!
-//! The geometry that an engine would displace is the surface as filtered by how wide a pixel is there across its ray,
-//! in all directions alike. Silhouettes and shadows of that geometry are smoothed by several taps a pixel, whose colors
-//! are averaged. All of it is the same for every method, and so is the share of the lost slopes that faces the light.
+//! The geometry that an engine would displace is the surface as filtered over a pixel's footprint. Silhouettes and
+//! shadows of that geometry are smoothed by several taps a pixel, whose colors are averaged. All of it is the same for
+//! every method, and so is the share of the lost slopes that faces the light.
 
 use super::surface::{Filtered, Surface};
 use super::view::{Ray, View};
@@ -46,7 +46,6 @@ pub fn picture<const LIGHTS: usize>(
     surface: &Surface,
     view: &View,
     lights: &[[f64; 3]; LIGHTS],
-    done: &(dyn Fn() + Sync),
 ) -> Vec<[Known<LIGHTS>; ALL_TAPS]> {
     let unknown = Known {
         mean: f64::NAN,
@@ -64,7 +63,7 @@ pub fn picture<const LIGHTS: usize>(
             known(surface, view, lights, [right + PIXEL_DEVIATION * across, down + PIXEL_DEVIATION * under])
         })
     };
-    fill(&mut picture, view.width, &work, done);
+    fill(&mut picture, view.width, &work, &|| ());
     picture
 }
 
@@ -97,7 +96,8 @@ fn known<const LIGHTS: usize>(
 /// Covariance of the places that a tap's footprint covers.
 ///
 /// A pixel thinner than the heights' deviation of 1 sees one face, which is turned to it: the footprint is as long as
-/// wide. A thicker one sees many, over all the level ground that it covers.
+/// wide. A thicker one sees many, over all the level ground that it covers. With the level ground for every pixel, every
+/// method's RMS over a view is larger by up to 0.015.
 fn footprint(ray: &Ray) -> [f64; 3] {
     let width = ray.width(ray.crossing(0.0));
     let many = width * width / (1.0 + width * width);
