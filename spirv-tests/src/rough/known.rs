@@ -96,8 +96,8 @@ fn known<const LIGHTS: usize>(
 /// Covariance of the places that a tap's footprint covers.
 ///
 /// A pixel thinner than the heights' deviation of 1 sees one face, which is turned to it: the footprint is as long as
-/// wide. A thicker one sees many, over all the level ground that it covers. With the level ground for every pixel, every
-/// method's RMS over a view is larger by up to 0.015.
+/// wide. A thicker one sees many, over all the level ground that it covers. With the level ground for every pixel, the
+/// RMS of every method over a view is larger by up to 0.015.
 fn footprint(ray: &Ray) -> [f64; 3] {
     let width = ray.width(ray.crossing(0.0));
     let many = width * width / (1.0 + width * width);
