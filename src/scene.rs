@@ -2,6 +2,7 @@
 
 mod candidate;
 mod explanation;
+mod filtered;
 mod heights;
 mod irradiance;
 mod percentile;
@@ -19,6 +20,10 @@ use crate::transfer::irradiance::Irradiance;
 use crate::{name, Error};
 
 /// What a material needs: what is filtered, over which values, and how closely.
+///
+/// A scene filters one thing: one of [`Self::texture`], [`Self::height`], [`Self::height_percentile`], [`Self::slope`]
+/// and [`Self::irradiance`]. A material that needs more has a scene for each, whose modules [`link`](crate::link) takes
+/// together. [`Self::module`] refuses two, and settings that have no meaning for what is filtered.
 ///
 /// ```
 /// use prefilter::{Accuracy, ColorMap, Scene};
@@ -257,8 +262,9 @@ impl Scene {
     /// forbids them, take some 10 ms to bake for a dozen knots, seconds for a thousand.
     ///
     /// # Errors
-    /// A name that cannot be used, a scene without a map, ranges or an accuracy outside their limits, a tier that does
-    /// not go with the colors, or no tier that keeps the accuracy.
+    /// A name that cannot be used, a scene that filters nothing or more than one thing, a setting that has no meaning
+    /// for that, ranges or an accuracy outside their limits, a tier that does not go with the colors, or no tier that
+    /// keeps the accuracy.
     pub fn module(&self) -> Result<Module, Error> {
         name::check(&self.name)?;
         self.chosen_ranges().check()?;

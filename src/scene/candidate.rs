@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
+use super::filtered::Filtered;
 use super::Scene;
 use crate::accuracy::Ranges;
 use crate::cost::{self, Cost};
@@ -28,16 +29,25 @@ const LOOPS: [&str; 3] = ["texture_knots", "height_knots", "percentile_knots"];
 /// is near enough.
 const NEAR: f32 = 1.1;
 
+/// What a color is averaged over, and how that is represented.
+#[derive(Clone, Copy)]
+pub(super) enum Over {
+    /// Values of a normal distribution, C0's own.
+    Values,
+    /// Heights that are seen and lit.
+    Heights(HeightTier),
+    /// Slopes that are seen.
+    Slopes(SlopeTier),
+    /// Normals that are seen.
+    Normals(IrradianceTier),
+}
+
 /// A tier tried for a scene.
 pub(super) struct Candidate {
     /// The tier in words.
     pub label: String,
-    /// The tier of heights, in a scene of heights.
-    pub height: Option<HeightTier>,
-    /// The tier of slopes, in a scene of slopes.
-    pub slope: Option<SlopeTier>,
-    /// The tier of irradiance, in a scene of that.
-    pub irradiance: Option<IrradianceTier>,
+    /// What is averaged over.
+    pub over: Over,
     /// The export's body, tables and bound.
     pub filter: Filter,
     /// The part of the bound that the choice is free to lower.
@@ -53,22 +63,12 @@ pub(super) struct Candidate {
 impl Scene {
     /// The lightest candidate within the accuracy, or the named tier; and the others that were tried.
     pub(super) fn choose(&self) -> Result<(Candidate, Vec<Candidate>), Error> {
-        let filtered = (&self.texture, &self.height, &self.percentile, &self.slope, &self.irradiance);
-        let mut candidates = match filtered {
-            (Some(map), None, None, None, None) => self.textures(map)?,
-            (None, Some(map), None, None, None) => self.heights(map)?,
-            (None, None, Some(map), None, None) => vec![self.percentiles(map)?],
-            (None, None, None, Some(map), None) => self.slopes(map)?,
-            (None, None, None, None, Some(light)) => self.irradiances(light)?,
-            (None, None, None, None, None) => {
-                let what = "filters nothing; give it a `texture`, a `height`, a `slope` or `irradiance`";
-                return Err(Error::Conflict(format!("the scene `{}` {what}", self.name)));
-            }
-            _ => {
-                let what =
-                    "has more than one of a `texture`, a `height`, a `slope` and `irradiance`; make a scene of each";
-                return Err(Error::Conflict(format!("the scene `{}` {what}", self.name)));
-            }
+        let mut candidates = match self.filtered()? {
+            Filtered::Texture(map) => self.textures(map)?,
+            Filtered::Height(map) => self.heights(map)?,
+            Filtered::HeightPercentile(map) => vec![self.percentiles(map)?],
+            Filtered::Slope(map) => self.slopes(map)?,
+            Filtered::Irradiance(light) => self.irradiances(light)?,
         };
         if candidates.len() == 1 && self.names_the_only_one() {
             return Ok((candidates.remove(0), candidates));
@@ -112,7 +112,7 @@ impl Scene {
             let filter = filter(map, self.colors, tier, self.chosen_ranges())?;
             let mut glue = self.texture_glue(map, tier, self.chosen_ranges(), &filter);
             glue += &self.driven("texture", map, "", &filter.tables);
-            self.candidate(tier.to_string(), None, filter.bound.value(), filter, glue)
+            self.candidate(tier.to_string(), Over::Values, filter.bound.value(), filter, glue)
         };
         self.tiers().into_iter().map(candidate).collect()
     }
@@ -120,7 +120,7 @@ impl Scene {
     pub(super) fn candidate(
         &self,
         label: String,
-        height: Option<HeightTier>,
+        over: Over,
         judged: f32,
         filter: Filter,
         glue: String,
@@ -135,7 +135,7 @@ impl Scene {
         let table_bytes = filter.tables.iter().map(Table::bytes).sum();
         let calls = self.exports(&glue).into_iter().filter_map(|export| cost::call(module, info, &export.name, &trips));
         let cost = Cost { table_bytes, ..calls.max_by_key(|cost| cost.weight()).unwrap_or_default() };
-        Ok(Candidate { label, height, slope: None, irradiance: None, filter, judged, glue, linked, cost })
+        Ok(Candidate { label, over, filter, judged, glue, linked, cost })
     }
 
     /// The export of the driver, where there is one, which calls `NAME_FUNCTION`; `given` are the parameters of that

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use super::candidate::Candidate;
+use super::candidate::{Candidate, Over};
 use super::Scene;
 use crate::accuracy::{Bound, Ranges};
 use crate::filter::height::{self, surface, tier, HeightTier};
@@ -12,22 +12,22 @@ use crate::transfer::color_map::ColorMap;
 impl Scene {
     pub(super) fn explain(&self, chosen: &Candidate, passed: &[Candidate]) -> String {
         let Ranges { mean: (low, high), deviation } = self.chosen_ranges();
-        let what = match (chosen.height, chosen.slope, chosen.irradiance) {
-            (Some(_), ..) => "height (Ch)",
-            (None, Some(_), _) => "slope (Cs)",
-            (None, None, Some(_)) => "irradiance",
-            (None, None, None) => "texture (C0)",
+        let what = match chosen.over {
+            Over::Values => "texture (C0)",
+            Over::Heights(_) => "height (Ch)",
+            Over::Slopes(_) => "slope (Cs)",
+            Over::Normals(_) => "irradiance",
         };
         let mut text = format!("{}: {what} by {}\n", self.name, chosen.label);
         let _ = writeln!(text, "  error   {}", described(chosen));
-        if let (Some(tier), Some(map)) = (chosen.height, self.map()) {
-            let _ = writeln!(text, "  covers  {}", self.covered(tier, map));
-        }
-        if let (Some(tier), Some(map)) = (chosen.slope, self.map()) {
-            let _ = writeln!(text, "  covers  {}", self.covered_slopes(tier, map));
-        }
-        if let Some(tier) = chosen.irradiance {
-            let _ = writeln!(text, "  covers  {}", irradiance::covered(tier));
+        let covered = match (chosen.over, self.map()) {
+            (Over::Heights(tier), Some(map)) => Some(self.covered(tier, map)),
+            (Over::Slopes(tier), Some(map)) => Some(self.covered_slopes(tier, map)),
+            (Over::Normals(tier), _) => Some(irradiance::covered(tier)),
+            (Over::Values | Over::Heights(_) | Over::Slopes(_), _) => None,
+        };
+        if let Some(covered) = covered {
+            let _ = writeln!(text, "  covers  {covered}");
         }
         let _ = writeln!(text, "  cost    {} a call", chosen.cost);
         if self.percentile.is_none() && self.irradiance.is_none() {
@@ -37,12 +37,15 @@ impl Scene {
         for other in passed {
             let _ = writeln!(text, "  passed  {}: error {}; {}", other.label, described(other), other.cost);
         }
-        let gap = match (chosen.height, self.driver) {
-            (Some(_), None) => surface::gap(self.microsurface, self.percentile.is_some()),
-            (Some(_), Some(driver)) => format!("{};\n    {}", surface::gap(self.microsurface, false), driver.gap()),
-            (None, Some(driver)) => driver.gap(),
-            (None, None) if chosen.irradiance.is_some() => irradiance::GAP.to_owned(),
-            (None, None) => chosen.slope.map_or_else(|| UNDRIVEN.to_owned(), slope::gap),
+        let gap = match (chosen.over, self.driver) {
+            (Over::Values, None) => UNDRIVEN.to_owned(),
+            (Over::Values, Some(driver)) => driver.gap(),
+            (Over::Heights(_), None) => surface::gap(self.microsurface, self.percentile.is_some()),
+            (Over::Heights(_), Some(driver)) => {
+                format!("{};\n    {}", surface::gap(self.microsurface, false), driver.gap())
+            }
+            (Over::Slopes(tier), _) => slope::gap(tier),
+            (Over::Normals(_), _) => irradiance::GAP.to_owned(),
         };
         let _ = writeln!(text, "  not in the error: {gap}");
         text
@@ -75,18 +78,18 @@ impl Scene {
     }
 
     fn reason(&self, chosen: &Candidate) -> String {
-        let named = "the scene names ";
-        let over = match (chosen.height, chosen.slope) {
-            (Some(_), _) => self.height_tier.map(|tier| (tier.stands_alone(), "heights")),
-            (None, _) => self.slope_tier.map(|_| (false, "slopes")),
+        // Whether the scene names what the map is averaged over, and whether a tier of the map's own is left to choose.
+        let (named, stacked) = match chosen.over {
+            Over::Values => (None, true),
+            Over::Heights(tier) => (self.height_tier.map(|_| "heights"), !tier.stands_alone()),
+            Over::Slopes(_) => (self.slope_tier.map(|_| "slopes"), true),
+            Over::Normals(_) => (self.irradiance_tier.map(|_| "normals"), false),
         };
-        let free = match (stacked(chosen), self.tier, over) {
-            _ if self.irradiance_tier.is_some() => return named.to_owned() + "this tier",
-            (false, Some(_), _) | (true, Some(_), Some(_)) | (true, None, Some((true, _))) => {
-                return named.to_owned() + "this tier";
-            }
-            (true, None, Some((false, what))) => format!("{named}the tier of {what}; that of the color map is "),
-            _ => String::new(),
+        let free = match (named, stacked && self.tier.is_none()) {
+            (Some(_), false) => return NAMED.to_owned(),
+            (None, false) if matches!(chosen.over, Over::Values) => return NAMED.to_owned(),
+            (Some(what), true) => format!("the scene names the tier of {what}; that of the color map is "),
+            (None, _) => String::new(),
         };
         let budget = self.accuracy.unwrap_or_default().max_filter_error;
         if chosen.judged <= budget {
@@ -99,12 +102,15 @@ impl Scene {
     }
 }
 
+/// Why a tier is taken that was not chosen.
+const NAMED: &str = "the scene names this tier";
+
 /// What the bound of a filter without a driver does not cover.
 const UNDRIVEN: &str = "how far a pixel's values are from a normal distribution of that mean and deviation";
 
 /// Whether the bound is that of a distribution and of a map over it.
 fn stacked(candidate: &Candidate) -> bool {
-    candidate.height.is_some() || candidate.slope.is_some()
+    matches!(candidate.over, Over::Heights(_) | Over::Slopes(_))
 }
 
 fn described(candidate: &Candidate) -> String {

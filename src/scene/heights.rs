@@ -1,6 +1,6 @@
 //! The tiers of heights that a scene tries.
 
-use super::candidate::{arguments, parameters, Candidate};
+use super::candidate::{arguments, parameters, Candidate, Over};
 use super::Scene;
 use crate::filter::height::glue::{given, Glue};
 use crate::filter::height::skewed::skewed;
@@ -36,7 +36,7 @@ impl Scene {
                 let driven = self.driven("height", map, &given(surface), &filter.tables);
                 let glue = glue + &driven + "\n" + &own;
                 let judged = if self.height_tier.is_some() { texture.bound } else { filter.bound };
-                candidates.push(self.candidate(label, Some(tier), judged.value(), filter, glue)?);
+                candidates.push(self.candidate(label, Over::Heights(tier), judged.value(), filter, glue)?);
             }
         }
         Ok(candidates)
@@ -71,6 +71,6 @@ impl Scene {
         let glue =
             Glue { name, map, tier, label: &label, surface, percentile: false, parameters: &parameters }.text(&filter);
         let glue = glue + &self.driven("height", map, &given(surface), &filter.tables);
-        self.candidate(label, Some(tier), filter.bound.value(), filter, glue)
+        self.candidate(label, Over::Heights(tier), filter.bound.value(), filter, glue)
     }
 }

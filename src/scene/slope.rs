@@ -1,8 +1,8 @@
 //! The tiers of slopes that a scene tries, and what their bounds hold for.
 
-use super::candidate::{arguments, parameters, Candidate};
+use super::candidate::{arguments, parameters, Candidate, Over};
 use super::Scene;
-use crate::filter::height::{variation, Microsurface};
+use crate::filter::height::variation;
 use crate::filter::slope::{floor, glue, over, step_error, texture_ranges, SlopeTier};
 use crate::filter::texture::filter;
 use crate::transfer::color_map::ColorMap;
@@ -13,14 +13,6 @@ const SLOPES: [SlopeTier; 2] = [SlopeTier::Gaussian, SlopeTier::Pair];
 
 impl Scene {
     pub(super) fn slopes(&self, map: &ColorMap) -> Result<Vec<Candidate>, Error> {
-        let named = [
-            self.driver.map(|_| "a driver, which knows no slopes"),
-            self.height_tier.map(|_| "a tier of heights"),
-            (self.microsurface != Microsurface::default()).then_some("what hides heights"),
-        ];
-        if let Some(named) = named.into_iter().flatten().next() {
-            return Err(Error::Conflict(format!("a `slope` goes without {named}")));
-        }
         let (name, ranges) = (&self.name, self.chosen_ranges());
         let tiers = self.slope_tier.map_or(SLOPES.to_vec(), |tier| vec![tier]);
         let mut candidates = Vec::new();
@@ -33,8 +25,7 @@ impl Scene {
                 let label = format!("{tier} over {texture_tier}");
                 let glue = glue(name, map, tier, &label, &parameters(&filter.tables), &filter.body) + "\n" + &own;
                 let judged = if self.slope_tier.is_some() { texture.bound } else { filter.bound };
-                let candidate = self.candidate(label, None, judged.value(), filter, glue)?;
-                candidates.push(Candidate { slope: Some(tier), ..candidate });
+                candidates.push(self.candidate(label, Over::Slopes(tier), judged.value(), filter, glue)?);
             }
         }
         Ok(candidates)

@@ -227,7 +227,7 @@ fn percentiles_that_cannot_be_are_refused() -> Outcome {
         ("without a tier of heights, one normal distribution", scene.clone().height_tier(HeightTier::Gaussian)),
         ("without a color map's tier", scene.clone().tier(Tier::ClosedForm(Kernel::Fast))),
         ("without a driver", scene.clone().driver(Driver::Moments(Moments::default()))),
-        ("more than one of", scene.clone().height(named("terrain")?)),
+        ("more than one filter", scene.clone().height(named("terrain")?)),
         ("promises", scene.clone().accuracy(Accuracy::max_filter_error(1e-9))),
     ] {
         let message = refused(scene);

@@ -1,6 +1,9 @@
 //! Scenes of heights: what they export, choose, leave out and refuse. No device.
 
-use prefilter::{Accuracy, Bound, ColorMap, Colors, Error, HeightTier, Kernel, Microsurface, Scene, Tier};
+use prefilter::{
+    Accuracy, Bound, ColorMap, Colors, Driver, Error, HeightTier, Irradiance, IrradianceTier, Kernel, Microsurface,
+    Moments, Scene, SlopeTier, Tier,
+};
 use spirv_tests::maps::named;
 
 use crate::{Outcome, FAST};
@@ -120,9 +123,46 @@ fn scenes_that_cannot_be_are_refused() -> Outcome {
     let over = conflict(scene("steps6")?.height_tier(HeightTier::Exact).tier(Tier::ClosedForm(Kernel::Fast)));
     assert!(over.contains("leave out the tier"), "{over}");
     let both = conflict(scene("steps6")?.texture(named("terrain")?));
-    assert!(both.contains("more than one of a `texture`, a `height`"), "{both}");
+    assert!(both.contains("more than one filter, a `texture` and a `height`; make"), "{both}");
     let fast = scene("terrain")?.colors(Colors::Dynamic).tier(FAST).height_tier(HeightTier::Gaussian);
     assert!(conflict(fast).contains("needs constant colors"));
+    Ok(())
+}
+
+/// What a scene would ignore it refuses, rather than seem to heed it.
+#[test]
+fn settings_of_other_filters_are_refused() -> Outcome {
+    let map = named("terrain")?;
+    let driver = Driver::Moments(Moments::default());
+    let surface = Microsurface { masking: true, ..Microsurface::default() };
+    let [texture, height, share, slope, light] = [
+        Scene::new("rock").texture(map.clone()),
+        Scene::new("rock").height(map.clone()),
+        Scene::new("rock").height_percentile(map.clone()),
+        Scene::new("rock").slope(map),
+        Scene::new("rock").irradiance(Irradiance::from_harmonics([[0.5; 3]; 9])?),
+    ];
+    let normals = IrradianceTier::Points;
+    for (scene, refusal) in [
+        (
+            texture.clone().height_tier(HeightTier::Paper),
+            "a `texture` goes without a tier of heights, the paper's fits",
+        ),
+        (texture.clone().slope_tier(SlopeTier::Pair), "a `texture` goes without a tier of slopes"),
+        (texture.clone().irradiance_tier(normals), "a `texture` goes without a tier of irradiance"),
+        (texture.microsurface(surface), "a `texture` goes without a `microsurface`"),
+        (height.clone().slope_tier(SlopeTier::Pair), "a `height` goes without a tier of slopes"),
+        (height.irradiance_tier(normals), "a `height` goes without a tier of irradiance, five slopes"),
+        (share.slope_tier(SlopeTier::Pair), "a `height_percentile` goes without a tier of slopes"),
+        (slope.irradiance_tier(normals), "a `slope` goes without a tier of irradiance"),
+        (light.clone().tier(FAST), "`irradiance` goes without a color map's tier"),
+        (light.driver(driver), "`irradiance` goes without a driver"),
+    ] {
+        let message = scene.module().map(|module| module.explain().to_owned()).unwrap_err().to_string();
+        assert!(message.contains(refusal), "{message}");
+    }
+    let nothing = Scene::new("rock").module().map(|module| module.explain().to_owned()).unwrap_err().to_string();
+    assert!(nothing.contains("the scene `rock` filters nothing; give it a `texture`, a `height`"), "{nothing}");
     Ok(())
 }
 

@@ -59,12 +59,12 @@ fn scenes_that_cannot_be_are_refused() -> Outcome {
         other => format!("no conflict: {:?}", other.map(|module| module.explain().to_owned())),
     };
     let both = conflict(scene()?.texture(named("terrain")?));
-    assert!(both.contains("more than one of"), "{both}");
+    assert!(both.contains("more than one filter"), "{both}");
     let driven = conflict(scene()?.driver(Driver::Moments(Moments::default())));
     assert!(driven.contains("goes without a driver"), "{driven}");
     assert!(conflict(scene()?.height_tier(HeightTier::Gaussian)).contains("without a tier of heights"));
     let hidden = Microsurface { shadowing: false, ..Microsurface::default() };
-    assert!(conflict(scene()?.microsurface(hidden)).contains("without what hides heights"));
+    assert!(conflict(scene()?.microsurface(hidden)).contains("without a `microsurface`"));
     Ok(())
 }
 

@@ -1,0 +1,90 @@
+//! What a scene filters, and which settings go with that.
+
+use super::Scene;
+use crate::filter::height::{HeightTier, Microsurface};
+use crate::transfer::color_map::ColorMap;
+use crate::transfer::irradiance::Irradiance;
+use crate::Error;
+
+/// What a scene filters, of which it has one.
+#[derive(Clone, Copy)]
+pub(super) enum Filtered<'a> {
+    /// C0.
+    Texture(&'a ColorMap),
+    /// Ch over heights.
+    Height(&'a ColorMap),
+    /// Ch over percentiles of heights.
+    HeightPercentile(&'a ColorMap),
+    /// Cs.
+    Slope(&'a ColorMap),
+    /// Light on the normals that are seen.
+    Irradiance(&'a Irradiance),
+}
+
+impl std::fmt::Display for Filtered<'_> {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        formatter.write_str(match self {
+            Self::Texture(_) => "a `texture`",
+            Self::Height(_) => "a `height`",
+            Self::HeightPercentile(_) => "a `height_percentile`",
+            Self::Slope(_) => "a `slope`",
+            Self::Irradiance(_) => "`irradiance`",
+        })
+    }
+}
+
+impl Scene {
+    /// What the scene filters.
+    ///
+    /// # Errors
+    /// Nothing, or more than one; or a setting that it would ignore.
+    pub(super) fn filtered(&self) -> Result<Filtered<'_>, Error> {
+        let mut all = [
+            self.texture.as_ref().map(Filtered::Texture),
+            self.height.as_ref().map(Filtered::Height),
+            self.percentile.as_ref().map(Filtered::HeightPercentile),
+            self.slope.as_ref().map(Filtered::Slope),
+            self.irradiance.as_ref().map(Filtered::Irradiance),
+        ]
+        .into_iter()
+        .flatten();
+        let refused = |what: String| Err(Error::Conflict(format!("the scene `{}` {what}", self.name)));
+        match (all.next(), all.next()) {
+            (Some(one), None) => match self.ignored(one) {
+                None => Ok(one),
+                Some(setting) => Err(Error::Conflict(format!("{one} goes without {setting}"))),
+            },
+            (Some(one), Some(other)) => {
+                refused(format!("has more than one filter, {one} and {other}; make a scene of each"))
+            }
+            (None, _) => refused(
+                "filters nothing; give it a `texture`, a `height`, a `height_percentile`, a `slope` or `irradiance`"
+                    .into(),
+            ),
+        }
+    }
+
+    /// A setting that has no meaning for what is filtered.
+    fn ignored(&self, filtered: Filtered<'_>) -> Option<String> {
+        use Filtered as F;
+        let (heights, percentiles) = (matches!(filtered, F::Height(_)), matches!(filtered, F::HeightPercentile(_)));
+        let mapped = heights || matches!(filtered, F::Texture(_) | F::Slope(_));
+        let exact = |tier: HeightTier| percentiles && tier == HeightTier::Exact;
+        let height_tier = self.height_tier.filter(|tier| !heights && !exact(*tier));
+        let slope_tier = self.slope_tier.filter(|_| !matches!(filtered, F::Slope(_)));
+        let irradiance_tier = self.irradiance_tier.filter(|_| !matches!(filtered, F::Irradiance(_)));
+        let hidden = !heights && !percentiles && self.microsurface != Microsurface::default();
+        let driven = self.driver.is_some() && !heights && !matches!(filtered, F::Texture(_));
+        let settings = [
+            driven.then(|| "a driver, which gives mean and deviation of a value".to_owned()),
+            self.tier.filter(|_| !mapped).map(|tier| format!("a color map's tier, {tier}")),
+            height_tier.map(|tier| format!("a tier of heights, {tier}")),
+            slope_tier.map(|tier| format!("a tier of slopes, {tier}")),
+            irradiance_tier.map(|tier| format!("a tier of irradiance, {tier}")),
+            hidden.then(|| "a `microsurface`, which hides heights".to_owned()),
+            (percentiles && self.microsurface.perturbed)
+                .then(|| "noise on the heights, which has no percentile".to_owned()),
+        ];
+        settings.into_iter().flatten().next()
+    }
+}
