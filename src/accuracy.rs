@@ -100,13 +100,13 @@ impl Accuracy {
 /// What is known of the largest error of a channel over a scene's [`Ranges`], in color units.
 ///
 /// The error is against the integral that the filter approximates: the mean of the map over a normal variable, with a
-/// deviation from 1e-6 to the largest of the ranges; of a scene of heights that over the visible ones, from the
-/// deviation and up to the Λ that [`Module::explain`](crate::Module::explain) states.
+/// deviation from 1e-6 to the largest of the ranges; of a scene of heights or slopes that over the visible ones, from
+/// the deviation and up to the Λ that [`Module::explain`](crate::Module::explain) states.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Bound {
-    /// Summed from the promises of the shelf functions and the step errors of [`HeightTier`](crate::HeightTier)s, which
-    /// the crate's tests enforce.
+    /// Summed from the promises of the shelf functions and the step errors of [`HeightTier`](crate::HeightTier)s and
+    /// [`SlopeTier`](crate::SlopeTier)s, which the crate's tests enforce.
     Guaranteed(f32),
     /// Twice the largest error that was measured between the texels of a table. A sampler that keeps 8 bits of the
     /// fraction between texels, as many do, errs by up to 1/512 of the difference between neighbors besides.

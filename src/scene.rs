@@ -190,8 +190,8 @@ impl Scene {
         Self { colors, ..self }
     }
 
-    /// This tier instead of the cheapest that keeps the accuracy; of a scene of heights, the tier of the color map that
-    /// theirs stands on.
+    /// This tier instead of the cheapest that keeps the accuracy; of a scene of heights or slopes, the tier of the
+    /// color map that theirs stands on.
     #[must_use]
     pub fn tier(self, tier: Tier) -> Self {
         Self { tier: Some(tier), ..self }

@@ -99,7 +99,6 @@ fn slopes_skewness(parameter: f32) -> f32 {
 }
 
 /// Area of the surface in the picture, hidden or not, for a unit of area of the mean plane: E[max(t, 0)].
-///
 /// Over a level surface it is v.z (1 + Λ) with Smith's Λ of the view: times the masking the mean plane's own.
 ///
 /// Source: the definition, max(m, 0) + τ E[max(u − |a|, 0)].
@@ -112,17 +111,18 @@ fn slopes_area(view: vec3f, mean_slope: vec2f, factor: vec4f) -> f32 {
 }
 
 /// Two normal distributions of equal shares that stand for u, with its mean and variance together: mean and variance of
-/// the lower one, then of the higher one. A step's mean is off by up to 1.2e-2 for parameters above 0 and 2.5e-2 above
-/// −3, by a single normal distribution with `slopes_moments` 4.7e-2 and 8.5e-2.
+/// the lower one, then of the higher one; from 2 to `slopes_single` they become one. A step's mean is off by up to
+/// 1.2e-2 for parameters above 0 and 2.5e-2 above −3, by a single one with `slopes_moments` 4.7e-2 and 8.5e-2.
 ///
 /// Source: a fit of the largest error of a step, of the notes behind the crate.
-/// Domain: parameter in [-12, 3].
-/// Error: 8e-3 absolute; from the pair with the least largest error of a step.
+/// Domain: parameter in [-12, 2].
+/// Error: 6e-3 absolute; from the pair with the least largest error of a step.
 fn slopes_pair(parameter: f32) -> vec4f {
     let m = slopes_moments(parameter);
     let r = m.x;
-    let apart = r * (2.18622 + 5.5444 * r) / (1.0 + r * (0.13134 + 5.07137 * r));
-    let uneven = 0.55785 * r * r / (1.0 + r * (0.75157 * r - 0.05676));
+    let two = clamp(slopes_single - parameter, 0.0, 1.0);
+    let apart = two * r * (2.18622 + 5.5444 * r) / (1.0 + r * (0.13134 + 5.07137 * r));
+    let uneven = two * 0.55785 * r * r / (1.0 + r * (0.75157 * r - 0.05676));
     let shift = 0.5 * apart * sqrt(m.y);
     let rest = m.y - shift * shift;
     return vec4f(r - shift, rest * (1.0 - uneven), r + shift, rest * (1.0 + uneven));

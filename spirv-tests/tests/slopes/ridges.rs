@@ -84,3 +84,24 @@ fn ridges_along_an_axis_are_exact() -> Result<(), String> {
     }
     Ok(())
 }
+
+/// The factors as the notes have them: along ridges no slope is along the view, the determinant is 0, and all are lost.
+#[test]
+fn a_determinant_alone_loses_ridges() -> Result<(), String> {
+    let notes = "
+fn asked(view: vec3f, covariance: vec3f) -> vec3f {
+    let h = view.xy * inverseSqrt(dot(view.xy, view.xy));
+    let p = vec2f(covariance.x * h.x + covariance.y * h.y, covariance.y * h.x + covariance.z * h.y);
+    let inverse = inverseSqrt(max(dot(h, p), 1e-20));
+    let g = sqrt(max(covariance.x * covariance.z - covariance.y * covariance.y, 0.0)) * inverse;
+    return slopes_covariance(vec4f(-p * inverse, vec2f(-h.y, h.x) * g), 1.0);
+}";
+    let ours = "
+fn asked(view: vec3f, covariance: vec3f) -> vec3f {
+    return slopes_covariance(slopes_factor(view, covariance), 1.0);
+}";
+    let points = [[&direction(0.3, 0.0)[..], &[0.0, 0.0, 0.25]].concat()];
+    assert_eq!(run(notes, &points)?, [[0.0; 3]]);
+    assert_eq!(run(ours, &points)?, [[0.0, 0.0, 0.25]]);
+    Ok(())
+}

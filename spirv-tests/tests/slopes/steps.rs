@@ -53,16 +53,17 @@ fn steps_keep_their_figures() -> Outcome {
     assert!(one <= 0.085 && two <= 0.025, "{one} {two}");
     let [one, two] = steps(-12.0, -3.0)?;
     assert!(one <= 0.1 && two <= 0.031, "{one} {two}");
-    // From `slopes_single` on one is enough; below it is not.
+    // From `slopes_single` on one is enough, and what two become; below it is not.
     let [one, two] = steps(3.0, 40.0)?;
-    assert!(one <= 5.1e-3 && two <= 1e-3, "{one} {two}");
-    let [one, _] = steps(2.0, 3.0)?;
-    assert!(one > 0.01, "{one}");
+    assert!(one <= 5.1e-3 && two <= 5.1e-3, "{one} {two}");
+    let [one, two] = steps(2.0, 3.0)?;
+    assert!(one > 0.01 && two <= 6.5e-3, "{one} {two}");
     Ok(())
 }
 
-/// Numbers of the notes, section 3: the parameter, and the errors of one and of two normal distributions.
-const KNOWN: [[f64; 3]; 9] = [
+/// Numbers of the notes, section 3: the parameter, and the errors of one and of two normal distributions. From 2 on
+/// ours become one, where theirs are within 2.7e-3: no color jumps where a module takes one.
+const KNOWN: [[f64; 3]; 7] = [
     [-3.0, 0.080, 0.022],
     [-1.0, 0.062, 0.016],
     [0.0, 0.0465, 0.0118],
@@ -70,8 +71,6 @@ const KNOWN: [[f64; 3]; 9] = [
     [1.0, 0.028, 0.0069],
     [1.5, 0.020, 0.0044],
     [2.0, 0.013, 0.0027],
-    [3.0, 0.0050, 0.0009],
-    [4.0, 0.0021, 0.0003],
 ];
 
 #[test]
@@ -131,18 +130,21 @@ fn steps_along_any_direction_are_no_worse() -> Outcome {
     Ok(())
 }
 
-/// Mean and variance of the pair are those of the moments, to rounding; the skewness is not.
+/// Mean and variance of the pair are those of the moments, to rounding, and from `slopes_single` on it is one.
 #[test]
 fn the_pair_keeps_mean_and_variance() -> Outcome {
-    let text = "fn asked(parameter: f32) -> vec4f {
+    let text = "struct both { two: vec2f, one: vec2f, apart: f32 }
+    fn asked(parameter: f32) -> both {
         let two = slopes_pair(parameter);
         let offset = 0.5 * (two.z - two.x);
-        return vec4f(0.5 * (two.x + two.z), 0.5 * (two.y + two.w) + offset * offset, slopes_moments(parameter));
+        let mean = vec2f(0.5 * (two.x + two.z), 0.5 * (two.y + two.w) + offset * offset);
+        return both(mean, slopes_moments(parameter), max(offset, abs(two.w - two.y)));
     }";
     let points: Vec<Vec<f64>> = (-1300..=4000).map(|index| vec![f64::from(index) / 64.0]).collect();
     for (point, got) in points.iter().zip(run(text, &points)?) {
         assert!((got[0] - got[2]).abs() <= 2e-7 * (1.0 + got[2]), "{point:?}: {got:?}");
         assert!((got[1] - got[3]).abs() <= 4e-7, "{point:?}: {got:?}");
+        assert!(point[0] < 3.0 || got[4] == 0.0, "{point:?}: {got:?}");
     }
     Ok(())
 }
