@@ -143,17 +143,17 @@ fn irradiance_keeps_the_figures_of_its_tiers() -> Outcome {
     let device = Device::new()?;
     let halls = [GRACE, EUCALYPTUS, suns()].map(|radiance| Hall::new(radiance, &cases()));
     for (tier, near, far) in [
-        (IrradianceTier::Normal, f64::INFINITY, f64::INFINITY),
-        (IrradianceTier::Points, 1.1e-2, 0.2),
-        (IrradianceTier::ThreeGaussians, 1e-2, 1e-2),
-        (IrradianceTier::FourGaussians, 2e-3, 2e-3),
+        (IrradianceTier::Normal, 1.8, 2.8),
+        (IrradianceTier::Points, 1.1e-2, 0.14),
+        (IrradianceTier::ThreeGaussians, 1e-2, 9.1e-3),
+        (IrradianceTier::FourGaussians, 2e-3, 1.1e-3),
     ] {
         for colors in [Colors::Constant, Colors::Dynamic] {
             let found = errors(&device, tier, colors, &halls)?;
             println!("{tier}: {:.2e} of the mean for deviations up to 0.3, {:.2e} up to 1", found[0], found[1]);
             assert!(found[0] <= near && found[1] <= far, "{tier}: {found:?}");
             // What is not filtered errs by more than the mean itself.
-            assert!(tier != IrradianceTier::Normal || found[1] > 1.0);
+            assert!(tier != IrradianceTier::Normal || found[1] > 2.6);
         }
     }
     Ok(())
@@ -173,7 +173,7 @@ fn lambert_errs_by_less_than_three_hundredths() -> Outcome {
         [radius * azimuth.cos(), radius * azimuth.sin(), z]
     };
     // Views up to 88 degrees from the normal, lights up to 89.
-    let pairs: Vec<_> = (0..600).map(|_| (direction(0.0349), direction(0.0175))).collect();
+    let pairs: Vec<_> = (0..6000).map(|_| (direction(0.0349), direction(0.0175))).collect();
     let (mut numbers, mut truths) = (Vec::new(), Vec::new());
     for (view, light) in pairs {
         let (deviation, angle) = (0.05 + 0.95 * random.unit(), std::f64::consts::TAU * random.unit());
@@ -184,13 +184,40 @@ fn lambert_errs_by_less_than_three_hundredths() -> Outcome {
         truths.push(lambert(&Visible { view, covariance, mean }, light));
     }
     let found = ExportKernel::new(&device, &module, export)?.run(&numbers)?;
-    assert_eq!(found.len(), 600);
+    assert_eq!(found.len(), 6000);
     let errors: Vec<f64> =
         found.iter().zip(&truths).map(|(found, truth)| (f64::from(found[0]) - truth).abs()).collect();
-    let rms = (errors.iter().map(|error| error * error).sum::<f64>() / 600.0).sqrt();
+    let rms = (errors.iter().map(|error| error * error).sum::<f64>() / 6000.0).sqrt();
     let worst = errors.into_iter().fold(0.0, f64::max);
     println!("Lambert's cosine errs by {worst:.2e}, RMS {rms:.1e}");
     assert!(worst <= 0.03);
+    Ok(())
+}
+
+/// Of a bright sky that is nearly even, rounding is more than what the means of normals add.
+#[test]
+fn bright_skies_keep_their_bounds() -> Outcome {
+    let device = Device::new()?;
+    let mut bright = [[1e-3f32; 3]; 9];
+    bright[0] = [60_000.0, 977.7, 0.123];
+    let hall = Hall::new(bright, &cases());
+    for tier in [IrradianceTier::Points, IrradianceTier::FourGaussians] {
+        for colors in [Colors::Constant, Colors::Dynamic] {
+            errors(&device, tier, colors, std::slice::from_ref(&hall))?;
+        }
+    }
+    Ok(())
+}
+
+/// What was stored and read back is checked as what is made, and tells which color was wrong.
+#[test]
+fn stored_irradiance_is_checked() -> Outcome {
+    let light = Irradiance::from_harmonics(GRACE)?;
+    let text = serde_json::to_string(&light)?;
+    assert_eq!(serde_json::from_str::<Irradiance>(&text)?, light);
+    let wrong = r#"{"polynomial":[[1,1,1],[0,0,1e39],[0,0,0],[0,0,0],[0,0,0],[0,0,0],[0,0,0],[0,0,0],[0,0,0]]}"#;
+    let error = serde_json::from_str::<Irradiance>(wrong).err().ok_or("no error")?.to_string();
+    assert!(error.contains("the color of term 1 of the irradiance is inf"), "{error}");
     Ok(())
 }
 

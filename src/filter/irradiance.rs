@@ -11,6 +11,7 @@ use crate::accuracy::{promise, Bound};
 use crate::table::{Format, Level, Sampling, Table};
 use crate::transfer::color_map::Colors;
 use crate::transfer::irradiance::Irradiance;
+use crate::transfer::pieces::ROUNDING;
 
 /// How the normals that a view sees are averaged: a ladder from the cheapest to the closest.
 ///
@@ -83,12 +84,16 @@ pub(crate) fn irradiance(light: &Irradiance, colors: Colors, tier: IrradianceTie
             vec![environment(light)]
         }
     };
-    let bound = match tier.function() {
-        Some(function) => Bound::Guaranteed((promise(function) * most(light)) as f32),
-        // No mean is beyond 1 on either side.
-        None => Bound::Guaranteed(2.0 * most(light) as f32),
-    };
+    // Without a function no mean is beyond 1 on either side.
+    let mean = tier.function().map_or(2.0, promise);
+    let bound = Bound::Guaranteed((mean * most(light) + rounding(light)) as f32);
     Filter { body, tables, bound, trips: 1 }
+}
+
+/// What rounding adds: of each term its color, its product and the sums that it is in, up to eight.
+fn rounding(light: &Irradiance) -> f64 {
+    let sum = |channel: usize| light.polynomial().iter().map(|color| f64::from(color[channel].abs())).sum::<f64>();
+    10.0 * ROUNDING * [0, 1, 2].map(sum).into_iter().fold(0.0, f64::max)
 }
 
 /// How many times the error of a mean that of irradiance may be: the sum over the terms of a channel, but for the
@@ -138,11 +143,14 @@ fn {name}_lambert(mean_slope: vec2f, slope_covariance: vec3f, view: vec3f, light
 /// What the bound of a tier holds for.
 pub(crate) fn covered(tier: IrradianceTier) -> String {
     let deviations = match tier {
-        IrradianceTier::Normal => "any slopes",
-        IrradianceTier::Points => "slope deviations to 0.3",
-        IrradianceTier::ThreeGaussians | IrradianceTier::FourGaussians => "slope deviations to 1",
+        IrradianceTier::Normal => return "any slopes and views".to_owned(),
+        IrradianceTier::Points => "0.3",
+        IrradianceTier::ThreeGaussians | IrradianceTier::FourGaussians => "1",
     };
-    format!("{deviations}, correlations to 0.9, mean slopes to 0.36, views from 5 degrees above the mean plane")
+    format!(
+        "slope deviations to {deviations}, correlations to 0.9, mean slopes to 0.36, views from 5 degrees above the \
+         mean plane"
+    )
 }
 
 /// What no bound covers.

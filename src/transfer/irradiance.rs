@@ -17,9 +17,10 @@ use crate::Error;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(into = "super::serial::Terms", try_from = "super::serial::Terms"))]
 pub struct Irradiance {
     /// Colors of 1, x, y, z, x², x y, y², x z and y z; z² is 1 less the other squares.
-    polynomial: [[f32; 3]; 9],
+    pub(super) polynomial: [[f32; 3]; 9],
 }
 
 impl Irradiance {

@@ -1,6 +1,7 @@
-//! Serialization of color maps through their parts, so that a map read back has passed every check.
+//! Serialization of color maps and irradiance through their parts, so that what is read back has passed every check.
 
-use super::color_map::{ColorMap, Knot};
+use super::color_map::{ColorMap, Knot, MAX_COLOR};
+use super::irradiance::Irradiance;
 use crate::Error;
 
 #[derive(serde::Serialize, serde::Deserialize)]
@@ -28,5 +29,33 @@ impl TryFrom<Parts> for ColorMap {
             return Err(Error::value("the fourth channel of a map with three", fourth, "0"));
         }
         Self::from_knots(parts.knots, parts.channels)
+    }
+}
+
+/// The terms of an irradiance.
+#[derive(serde::Serialize, serde::Deserialize)]
+pub(super) struct Terms {
+    polynomial: [[f32; 3]; 9],
+}
+
+impl From<Irradiance> for Terms {
+    fn from(irradiance: Irradiance) -> Self {
+        Self { polynomial: *irradiance.polynomial() }
+    }
+}
+
+impl TryFrom<Terms> for Irradiance {
+    type Error = Error;
+
+    /// Of radiances up to 65504 no term is more than 1.4 times that.
+    fn try_from(Terms { polynomial }: Terms) -> Result<Self, Error> {
+        let limit = 2.0 * MAX_COLOR;
+        for (term, color) in polynomial.iter().enumerate() {
+            if let Some(value) = color.iter().find(|value| !(value.abs() <= limit)) {
+                let what = format!("the color of term {term} of the irradiance");
+                return Err(Error::value(what, *value, format!("a number from -{limit} to {limit}")));
+            }
+        }
+        Ok(Self { polynomial })
     }
 }
