@@ -39,6 +39,11 @@ impl Ranges {
         Self { mean, deviation: (0.5 * (high - low)).min(LARGEST) }
     }
 
+    /// The largest magnitude of a mean.
+    pub(crate) fn largest_mean(&self) -> f32 {
+        self.mean.0.abs().max(self.mean.1.abs())
+    }
+
     pub(crate) fn check(&self) -> Result<(), Error> {
         let (low, high) = self.mean;
         let fine = |value: f32| value.abs() <= LARGEST;

@@ -95,7 +95,7 @@ impl Scene {
     /// The ranges are those of the heights' mean and deviation, and of their sum with noise where the
     /// [`Microsurface`] is perturbed. Bounds are against Smith's model, for Λ of view and
     /// light that add up to 1e4 at most, and but for [`HeightTier::Exact`] for deviations from a thousandth of the
-    /// largest mean.
+    /// largest mean, or from a tenth of the largest deviation where that is less: move heights far above 0 towards it.
     ///
     /// ```
     /// use prefilter::{ColorMap, HeightTier, Scene};

@@ -56,7 +56,7 @@ pub(crate) fn over(
 ) -> Filter {
     let mut body = clamped(surface, ranges);
     body += &colored(tier, surface, |mean, width| format!("{name}_texture({mean}, {width}{arguments})"));
-    let sum = (variation(map) * step_error(tier, surface)) as f32 + texture.bound.value();
+    let sum = (variation(map) * step_error(tier, surface, tier::rounded(tier, ranges))) as f32 + texture.bound.value();
     let bound = match texture.bound {
         // Neither the color nor the integral leaves the hull.
         Bound::Guaranteed(_) => Bound::Guaranteed(sum.min(map.widest_span())),
@@ -110,7 +110,7 @@ pub(crate) fn bands(map: &ColorMap, colors: Colors, surface: Microsurface, range
     body += &returned(map, "c");
     let error = |channel: usize| {
         let sizes = pieces.steps.iter().map(|step| f64::from(step.change[channel].abs()));
-        sizes.sum::<f64>() * step_error(HeightTier::Exact, surface) + pieces.rounding(channel, |_| 0.0)
+        sizes.sum::<f64>() * step_error(HeightTier::Exact, surface, 0.0) + pieces.rounding(channel, |_| 0.0)
     };
     let bound = Bound::Guaranteed((0..4).map(error).fold(0.0, f64::max) as f32);
     Ok(Filter { body, tables: Vec::new(), bound, trips: 1 })

@@ -132,7 +132,7 @@ fn bound(map: &ColorMap, pieces: &Pieces, surface: Microsurface) -> f32 {
         error
     };
     let own = (0..4).map(bound).fold(0.0, f64::max);
-    (variation(map) * step_error(HeightTier::Exact, surface) + own) as f32
+    (variation(map) * step_error(HeightTier::Exact, surface, 0.0) + own) as f32
 }
 
 fn dynamic(map: &ColorMap, surface: Microsurface) -> Filter {
@@ -178,5 +178,5 @@ fn dynamic_bound(map: &ColorMap, surface: Microsurface) -> f32 {
         edges.sum::<f64>() + segments.sum::<f64>()
     };
     let own = (0..4).map(bound).fold(0.0, f64::max);
-    (variation(map) * step_error(HeightTier::Exact, surface) + own) as f32
+    (variation(map) * step_error(HeightTier::Exact, surface, 0.0) + own) as f32
 }

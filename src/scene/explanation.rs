@@ -54,7 +54,10 @@ impl Scene {
     /// What the bound of a tier of heights is made of, and the Λ and deviations that it holds for.
     fn covered(&self, tier: HeightTier, map: &ColorMap) -> String {
         let floor = tier::floor(tier, self.chosen_ranges());
-        let (step, variation) = (surface::step_error(tier, self.microsurface), height::variation(map));
+        let (step, variation) = (
+            surface::step_error(tier, self.microsurface, tier::rounded(tier, self.chosen_ranges())),
+            height::variation(map),
+        );
         let reach = if tier == HeightTier::Exact {
             "Λ of a direction to 5.2e5"
         } else {

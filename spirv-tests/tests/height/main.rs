@@ -1,5 +1,6 @@
 //! Color by height: each tier on the device against the f64 integral, from directions to colors.
 
+mod anywhere;
 mod driven;
 mod extremes;
 mod figures;

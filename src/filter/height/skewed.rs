@@ -31,7 +31,8 @@ pub(crate) fn skewed(map: &ColorMap, colors: Colors, surface: Microsurface, rang
         clamped(surface, ranges),
         swizzle(map)
     );
-    let bound = 2.0 * f64::from(table.error) + step_error(HeightTier::Skewed, surface) * variation(map);
+    let step = step_error(HeightTier::Skewed, surface, tier::rounded(HeightTier::Skewed, ranges));
+    let bound = 2.0 * f64::from(table.error) + step * variation(map);
     Filter { body, bound: Bound::Estimated(bound as f32), tables: vec![table], trips: 1 }
 }
 

@@ -101,20 +101,20 @@ const MOVED: f64 = 5.5e-4;
 /// The smallest ω.z − s̄·ω.xy that bounds over tilted surfaces hold from.
 pub(crate) const RISE: f64 = 0.01;
 
-/// The step error of a tier over a surface.
-pub(crate) fn step_error(tier: HeightTier, surface: Microsurface) -> f64 {
+/// The step error of a tier over a surface, of whose heights each mean rounds by as much as `rounded`, a step error.
+pub(crate) fn step_error(tier: HeightTier, surface: Microsurface, rounded: f64) -> f64 {
     let tilted = if surface.mean_slope { TILTED } else { 0.0 };
     // Of what stands for the heights themselves noise enlarges no step error: the difference of the cumulative
     // functions of both sums, ∫ (F − G)(h − r) N(r) dr, is a mean of the difference without noise. One more mean is
     // added, which rounds.
     let perturbed = match (surface.perturbed, tier) {
         (false, _) => 0.0,
-        (true, HeightTier::Skewed) => NOISE + tier::ROUNDED,
-        (true, HeightTier::ClosedForm) => MOVED + tier::ROUNDED,
-        (true, _) => tier::ROUNDED,
+        (true, HeightTier::Skewed) => NOISE + rounded,
+        (true, HeightTier::ClosedForm) => MOVED + rounded,
+        (true, _) => rounded,
     };
     let hotspot = if surface.hotspot && surface.shadowing { HOTSPOT } else { 0.0 };
-    tier::step_error(tier) + tilted + hotspot + perturbed
+    tier::step_error(tier) + rounded + tilted + hotspot + perturbed
 }
 
 /// What no bound of the heights covers, and how much that was measured to be.

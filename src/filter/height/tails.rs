@@ -1,7 +1,7 @@
 //! The tier without a table: a term a knot over skewed heights.
 
 use super::surface::{clamped, step_error, visible, Microsurface};
-use super::tier::{texture_ranges, HeightTier};
+use super::tier::{rounded, texture_ranges, HeightTier};
 use super::variation;
 use crate::accuracy::{Bound, Ranges};
 use crate::filter::terms::{constant, placed, terms};
@@ -44,7 +44,8 @@ pub(crate) fn tails(map: &ColorMap, colors: Colors, surface: Microsurface, range
         body += &terms(map, &pieces, ["height_kink", "height_ramp", "height_step"], "tails");
         (rounding(&pieces, below), Vec::new(), 1)
     };
-    let sum = variation(map) * step_error(HeightTier::ClosedForm, surface) + rounding;
+    let tier = HeightTier::ClosedForm;
+    let sum = variation(map) * step_error(tier, surface, rounded(tier, ranges)) + rounding;
     // Neither the color nor the integral leaves the hull.
     Ok(Filter { body, tables, bound: Bound::Guaranteed((sum as f32).min(map.widest_span())), trips })
 }

@@ -68,10 +68,12 @@ const EXACT: f64 = 8.5e-6;
 const LAMBDA: f64 = 7e-5;
 
 /// What rounding of the mean visible height adds for deviations from [`FLOOR`] on: φ(0) 2^-24 / (0.304 · 1e-3).
-pub(crate) const ROUNDED: f64 = 1e-4;
+const ROUNDED: f64 = 1e-4;
 
-/// The smallest deviation that bounds of the tiers over C0 hold from, as a part of the largest mean.
+/// The smallest deviation that bounds of the tiers over C0 hold from, as a part of the largest mean; and as one of the
+/// largest deviation, where that is less.
 const FLOOR: f32 = 1e-3;
+const NARROW: f32 = 0.1;
 
 /// How far the mean of visible heights may lie above that of all and how wide they may be, in deviations of all: 4.2
 /// and 1 by the paper's fits, 3.9 and 1.001 by the others, at Λ up to 1e4.
@@ -88,17 +90,25 @@ pub(crate) fn texture_ranges(ranges: Ranges) -> Ranges {
 pub(crate) fn floor(tier: HeightTier, ranges: Ranges) -> f32 {
     match tier {
         HeightTier::Exact => 1e-6,
-        _ => (FLOOR * ranges.mean.0.abs().max(ranges.mean.1.abs())).max(1e-5),
+        _ => (FLOOR * ranges.largest_mean()).min(NARROW * ranges.deviation).max(1e-5),
     }
 }
 
-/// The step error of a tier, beyond that of its table, the errors of the directions' Λ included.
+/// What rounding of a mean adds to a step error for deviations from [`floor`] on.
+pub(crate) fn rounded(tier: HeightTier, ranges: Ranges) -> f64 {
+    match tier {
+        HeightTier::Exact => 0.0,
+        _ => ROUNDED * f64::from(FLOOR * ranges.largest_mean() / floor(tier, ranges)).max(1.0),
+    }
+}
+
+/// The step error of a tier, beyond that of its table and [`rounded`], the errors of the directions' Λ included.
 pub(crate) fn step_error(tier: HeightTier) -> f64 {
     match tier {
-        HeightTier::Paper => PAPER + LAMBDA + ROUNDED,
-        HeightTier::Gaussian => GAUSSIAN + LAMBDA + ROUNDED,
-        HeightTier::ClosedForm => CLOSED_FORM + LAMBDA + ROUNDED,
-        HeightTier::Skewed => SKEWED + LAMBDA + ROUNDED,
+        HeightTier::Paper => PAPER + LAMBDA,
+        HeightTier::Gaussian => GAUSSIAN + LAMBDA,
+        HeightTier::ClosedForm => CLOSED_FORM + LAMBDA,
+        HeightTier::Skewed => SKEWED + LAMBDA,
         HeightTier::Exact => EXACT,
     }
 }
