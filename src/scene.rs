@@ -137,7 +137,8 @@ impl Scene {
     /// its area in the picture.
     ///
     /// The ranges are those of the component's mean and deviation over all slopes. Bounds are for views above the
-    /// horizon of the mean surface, and for deviations of the component from a thousandth of the largest mean.
+    /// horizon of the mean surface, for mean slopes up to 1 or the largest mean, and for deviations of the component
+    /// from a thousandth of that, or from a tenth of the largest deviation where that is less.
     ///
     /// ```
     /// use prefilter::{Accuracy, ColorMap, Scene};

@@ -50,24 +50,34 @@ const PAIR: f64 = 1.19e-2;
 /// sums; and of the parameter at a reach of 1e-3.
 const ROUNDED: f64 = 2e-4;
 
-/// The smallest deviation of the component that bounds hold from, as a part of the largest mean.
+/// The smallest deviation of the component that bounds hold from, as a part of the largest mean slope; and as one of
+/// the largest deviation, where that is less.
 const FLOOR: f32 = 1e-3;
+const NARROW: f32 = 0.1;
 
 /// How far the means of C0 may lie beyond that of all slopes, in deviations: 1.664 for the pair at the horizon.
 const REACH: f32 = 1.67;
 
 /// The step error of a tier.
-pub(crate) fn step_error(tier: SlopeTier) -> f64 {
-    match tier {
+pub(crate) fn step_error(tier: SlopeTier, ranges: Ranges) -> f64 {
+    let rounded = ROUNDED * f64::from(FLOOR * steepest(ranges) / floor(ranges)).max(1.0);
+    let model = match tier {
         SlopeTier::Unweighted => UNWEIGHTED,
-        SlopeTier::Gaussian => GAUSSIAN + ROUNDED,
-        SlopeTier::Pair => PAIR + ROUNDED,
-    }
+        SlopeTier::Gaussian => GAUSSIAN,
+        SlopeTier::Pair => PAIR,
+    };
+    model + rounded
+}
+
+/// The largest mean slope that bounds hold for: across the component it may be 1 whatever the component's means are,
+/// and rounds the rise over it.
+pub(crate) fn steepest(ranges: Ranges) -> f32 {
+    ranges.largest_mean().max(1.0)
 }
 
 /// The smallest deviation that a bound holds from.
 pub(crate) fn floor(ranges: Ranges) -> f32 {
-    (FLOOR * ranges.mean.0.abs().max(ranges.mean.1.abs())).max(1e-5)
+    (FLOOR * steepest(ranges)).min(NARROW * ranges.deviation).max(1e-5)
 }
 
 /// The means and deviations that C0 is asked for.
@@ -78,7 +88,14 @@ pub(crate) fn texture_ranges(tier: SlopeTier, ranges: Ranges) -> Ranges {
 }
 
 /// The filter of a tier over C0: its body calls `NAME_texture` with the `arguments` of C0's tables.
-pub(crate) fn over(texture: &Filter, map: &ColorMap, tier: SlopeTier, name: &str, arguments: &str) -> Filter {
+pub(crate) fn over(
+    texture: &Filter,
+    map: &ColorMap,
+    tier: SlopeTier,
+    ranges: Ranges,
+    name: &str,
+    arguments: &str,
+) -> Filter {
     let colored = |of: &str| format!("{name}_texture({of}.x, {of}.y{arguments})");
     let along = |mean: &str, variance: &str| format!("slopes_along(direction, mean_slope, factor, {mean}, {variance})");
     let factor = "    let factor = slopes_factor(view, slope_covariance);\n    let parameter = \
@@ -111,7 +128,7 @@ pub(crate) fn over(texture: &Filter, map: &ColorMap, tier: SlopeTier, name: &str
             colored("high")
         ),
     };
-    let sum = (variation(map) * step_error(tier)) as f32 + texture.bound.value();
+    let sum = (variation(map) * step_error(tier, ranges)) as f32 + texture.bound.value();
     let bound = match texture.bound {
         // Neither the color nor the integral leaves the hull.
         Bound::Guaranteed(_) => Bound::Guaranteed(sum.min(map.widest_span())),

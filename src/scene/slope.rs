@@ -3,7 +3,7 @@
 use super::candidate::{arguments, parameters, Candidate, Over};
 use super::Scene;
 use crate::filter::height::variation;
-use crate::filter::slope::{floor, glue, over, step_error, texture_ranges, SlopeTier};
+use crate::filter::slope::{floor, glue, over, steepest, step_error, texture_ranges, SlopeTier};
 use crate::filter::texture::filter;
 use crate::transfer::color_map::ColorMap;
 use crate::Error;
@@ -21,7 +21,7 @@ impl Scene {
                 let below = texture_ranges(tier, ranges);
                 let texture = filter(map, self.colors, texture_tier, below)?;
                 let own = self.texture_glue(map, texture_tier, below, &texture);
-                let filter = over(&texture, map, tier, name, &arguments(&texture.tables));
+                let filter = over(&texture, map, tier, ranges, name, &arguments(&texture.tables));
                 let label = format!("{tier} over {texture_tier}");
                 let glue = glue(name, map, tier, &label, &parameters(&filter.tables), &filter.body) + "\n" + &own;
                 let judged = if self.slope_tier.is_some() { texture.bound } else { filter.bound };
@@ -33,15 +33,17 @@ impl Scene {
 
     /// What the bound of a tier of slopes is made of, and what it holds for.
     pub(super) fn covered_slopes(&self, tier: SlopeTier, map: &ColorMap) -> String {
+        let ranges = self.chosen_ranges();
         let views = match tier {
             SlopeTier::Unweighted => "views above the horizon of the mean surface, or none for a flat mesh",
             SlopeTier::Gaussian | SlopeTier::Pair => "views above the horizon of the mean surface",
         };
         format!(
-            "{views}, deviations of the component from {:.1e}, slope correlations to 0.9: a step errs by \
-             {:.1e}, times the total variation {:.3}",
-            floor(self.chosen_ranges()),
-            step_error(tier),
+            "{views}, deviations of the component from {:.1e}, slope correlations to 0.9, mean slopes to {}: a step \
+             errs by {:.1e}, times the total variation {:.3}",
+            floor(ranges),
+            steepest(ranges),
+            step_error(tier, ranges),
             variation(map)
         )
     }

@@ -1,5 +1,7 @@
 //! Do tiers keep their figures and bounds, on the device against the f64 integral?
 
+use std::f64::consts::TAU;
+
 use prefilter::gpu::Device;
 use prefilter::reference::footprint::variance_along;
 use prefilter::reference::slope::mean;
@@ -147,6 +149,47 @@ fn random_maps_keep_their_bounds() -> Outcome {
                 assert!(found <= f64::from(bound.value()), "seed {seed}, {tier}: {found:e} exceeds {bound}");
             }
         }
+    }
+    Ok(())
+}
+
+/// Where the component hardly deviates, and the mean surface is steep across it, the rise over that surface rounds: the
+/// difference of a view's height and of what the surface gains, for a reach that is as small.
+#[test]
+fn narrow_slopes_on_steep_surfaces_keep_their_bounds() -> Outcome {
+    let device = Device::new()?;
+    let step = ColorMap::bands([0.0; 3], [(0.0, [1.0; 3])])?;
+    let ranges = Ranges { mean: (-0.01, 0.01), deviation: 0.01 };
+    let mut random = Random::new(95);
+    let scene = Scene::new("edge").slope(step).ranges(ranges).tier(EXACT);
+    for tier in [SlopeTier::Gaussian, SlopeTier::Pair] {
+        let scene = scene.clone().slope_tier(tier);
+        let explained = scene.module()?.explain().to_owned();
+        let least = explained.split_once("component from ").and_then(|(_, rest)| rest.split_once(','));
+        let least: f64 = least.ok_or("no smallest deviation")?.0.parse()?;
+        let mut calls = Vec::new();
+        while calls.len() < 20_000 {
+            let (size, turn) = (least * random.between(1.01, 2.0), 0.125 * TAU + 0.4 * (random.unit() - 0.5));
+            let ([cos, sin], across) = ([turn.cos(), turn.sin()], 0.99 * (2.0 * random.unit() - 1.0));
+            let covariance = single([size * size, 0.9 * size * size, size * size]);
+            let at = 4.0 * size * (2.0 * random.unit() - 1.0);
+            let mean = single([at * cos - across * sin, at * sin + across * cos]);
+            let aside = turn + random.pick([0.0, 0.5 * TAU]) + random.unit() - 0.5;
+            let parameter = random.between(1e-3, 0.5);
+            let gained = mean[0] * aside.cos() + mean[1] * aside.sin();
+            let reach = variance_along(covariance, [aside.cos(), aside.sin()]).sqrt();
+            let view = [aside.cos(), aside.sin(), gained + parameter * reach];
+            let length = (1.0 + view[2] * view[2]).sqrt();
+            let visible = Visible { view: single(view.map(|part| part / length)), covariance, mean };
+            let call = (visible, single([cos, sin]));
+            let [_, deviation] = component(&call);
+            if visible.parameter() >= 0.0 && deviation >= least {
+                calls.push(call);
+            }
+        }
+        let (bound, [found, _]) = (f64::from(scene.module()?.bound().value()), errors(&device, &scene, &calls)?);
+        println!("{tier}: {found:.3e} from deviations of {least:.1e}, bound {bound:.3e}");
+        assert!(found <= bound, "{tier}: {found:e} of {bound:e}");
     }
     Ok(())
 }
