@@ -49,7 +49,8 @@ fn means(map: &ColorMap, colors: Colors, surface: Microsurface, ranges: Ranges) 
     // Four deviations of all heights from the map the color is that of its end. Visible heights whose mean is two of
     // them above that of all have at most half the deviation, and need to lie 2.5 of them beyond; with noise they may
     // have more.
-    let above = if surface.perturbed { highest } else { (last + 2.5 * deviation).max(high + 2.0 * deviation) };
+    let skewed = (last + 2.5 * deviation).max(high + 2.0 * deviation).min(highest);
+    let above = if surface.perturbed { highest } else { skewed };
     let far = above.min(last + 4.0 * deviation).max(low + deviation);
     let near = low.max(first - 4.0 * deviation).min(high);
     Axis::fitted(near, far, NODES[0], &bends(map)).in_f32()
