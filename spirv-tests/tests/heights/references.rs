@@ -111,6 +111,28 @@ fn means_of_powers_are_closed() {
     }
 }
 
+/// Maps that are waves: the characteristic function of the visible heights, by the density and by parts.
+#[test]
+fn means_of_waves_agree() {
+    for wave in [0.5, 1.0, 2.0, 4.0f64] {
+        let both = |height: f64| [(wave * height).cos(), (wave * height).sin()];
+        let [cosine, sine] = mean(0.0, both);
+        // That of a normal distribution.
+        assert!((cosine - (-0.5 * wave * wave).exp()).abs() < 1e-13 && sine.abs() < 1e-13, "{wave}: {cosine} {sine}");
+        for lambda in [0.013, 0.7, 9.0, 160.0, 1e4] {
+            let [from, to] = range(lambda);
+            let below = integrate(from, to, 0.05, |height| {
+                let share = wave * cumulative(height, lambda);
+                [share * (wave * height).sin(), -share * (wave * height).cos()]
+            });
+            for (at, by_density) in mean(lambda, both).into_iter().enumerate() {
+                let by_parts = both(to)[at] + below[at];
+                assert!((by_density - by_parts).abs() < 1e-12, "{wave}, {lambda}: {by_density} {by_parts}");
+            }
+        }
+    }
+}
+
 /// Mean, deviation and skewness of visible heights plus noise, from the convolution's probabilities by parts.
 fn convolved(lambda: f64, noise: f64) -> [f64; 3] {
     let [from, to] = range(lambda).map(|end| end + 9.0 * noise * if end < moments(lambda)[0] { -1.0 } else { 1.0 });
