@@ -3,7 +3,7 @@
 
 use std::collections::BTreeMap;
 
-use prefilter::{ColorMap, Driver, Microsurface, Moments, Scene, Taps};
+use prefilter::{ColorMap, Cost, Driver, Irradiance, IrradianceTier, Kernel, Microsurface, Moments, Scene, Taps, Tier};
 
 /// A line of a table by its columns.
 type Row<'a> = BTreeMap<&'a str, &'a str>;
@@ -170,5 +170,39 @@ fn modules_quote_the_gap_of_visible_slopes() -> Outcome {
     let quoted = format!("up to {gaussian:.2} with a Gaussian autocorrelation, {all:.2} with others");
     assert!(module.explain().contains(&quoted), "{quoted} is not in {}", module.explain());
     assert!(README.contains(&format!("Of the slopes that are seen, steps err by up to {all:.2}.")));
+    Ok(())
+}
+
+/// Costs are those that modules count, of the terrain of the tables and of an environment with every term.
+#[test]
+fn the_readme_quotes_costs() -> Outcome {
+    let map = spirv_tests::maps::named("terrain")?;
+    let counted = |scene: Scene| scene.module().map(|module| module.cost());
+    let texture = |tier| counted(Scene::new("quoting").texture(map.clone()).tier(tier));
+    for (label, tier) in [
+        ("closed form, exact", Tier::ClosedForm(Kernel::Exact)),
+        ("closed form, fast", Tier::ClosedForm(Kernel::Fast)),
+        ("table, 512 × 16", Tier::Table),
+        ("the paper's table, 256 × 256", Tier::Paper),
+    ] {
+        let Cost { operations, fetches, table_bytes } = texture(tier)?;
+        let read = format!(", {fetches} fetch, {} KiB", table_bytes / 1024);
+        let cost = format!("{operations} operations{} |", if fetches == 0 { "" } else { &read });
+        let row = README.lines().find(|line| line.starts_with(&format!("| {label} |")));
+        assert!(row.is_some_and(|row| row.ends_with(&cost)), "{label} costs {cost}, the README has {row:?}");
+    }
+    let light =
+        Irradiance::from_harmonics(std::array::from_fn(|term| [0.9, 0.1, 0.2].map(|color| color + term as f32)))?;
+    for (label, tier) in [
+        ("four Gaussians", IrradianceTier::FourGaussians),
+        ("three Gaussians", IrradianceTier::ThreeGaussians),
+        ("five slopes", IrradianceTier::Points),
+        ("the normal of the mean slope", IrradianceTier::Normal),
+    ] {
+        let cost = counted(Scene::new("quoting").irradiance(light).irradiance_tier(tier))?;
+        let cost = format!("{} operations |", cost.operations);
+        let row = README.lines().find(|line| line.starts_with(&format!("| {label} |")));
+        assert!(row.is_some_and(|row| row.ends_with(&cost)), "{label} costs {cost}, the README has {row:?}");
+    }
     Ok(())
 }
