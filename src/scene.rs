@@ -133,8 +133,8 @@ impl Scene {
     /// direction, snow and rain from one side.
     ///
     /// Exports `NAME_slope(mean_slope, slope_covariance, view, direction, …)`, the mean color over the slopes'
-    /// components along a horizontal vector. A facet of the slope s has a normal along (−s.x, −s.y, 1), and counts by
-    /// its area in the picture.
+    /// components along a horizontal vector of length 1 at most. A facet of the slope s has a normal along
+    /// (−s.x, −s.y, 1), and counts by its area in the picture.
     ///
     /// The ranges are those of the component's mean and deviation over all slopes. Bounds are for views above the
     /// horizon of the mean surface, for mean slopes up to 1 or the largest mean, and for deviations of the component

@@ -144,9 +144,9 @@ pub(crate) fn glue(name: &str, map: &ColorMap, tier: SlopeTier, label: &str, par
         "/// Mean color of `{name}` over {},
 /// by {label}.
 ///
-/// Positions of the map are components d · s of slopes s along `direction`, d, of any length. A facet's normal n is
-/// along (-s.x, -s.y, 1): with d = -t.xy the component is n · t / n.z - t.z, how much it faces a direction t. Slopes
-/// have a mean and a covariance, xx, xy, yy.{}
+/// Positions of the map are components d · s of slopes s along `direction`, d, of length 1 at most. A facet's normal n
+/// is along (-s.x, -s.y, 1): with d = -t.xy the component is n · t / n.z - t.z, how much it faces a direction t.
+/// Slopes have a mean and a covariance, xx, xy, yy.{}
 fn {name}_slope(mean_slope: vec2f, slope_covariance: vec3f, {}direction: vec2f{parameters}) -> {} {{
 {body}}}
 ",

@@ -1,7 +1,7 @@
 //! Scenes of slopes: what they export, choose, leave out and refuse; any numbers for inputs.
 
 use prefilter::gpu::Device;
-use prefilter::{Accuracy, ColorMap, Driver, Error, HeightTier, Microsurface, Moments, Scene, SlopeTier, Tier};
+use prefilter::{Accuracy, ColorMap, Driver, Error, HeightTier, Kernel, Microsurface, Moments, Scene, SlopeTier, Tier};
 use spirv_tests::any;
 use spirv_tests::exports::ExportKernel;
 use spirv_tests::maps::named;
@@ -125,6 +125,26 @@ fn colors_stay_in_the_hull() -> Outcome {
                 }
             }
         }
+    }
+    Ok(())
+}
+
+/// Half a direction asks for half the component.
+#[test]
+fn directions_may_be_shorter_than_one() -> Outcome {
+    let device = Device::new()?;
+    let step = |at: f32| ColorMap::bands([0.0; 3], [(at, [1.0; 3])]);
+    let surface = [0.3, -0.1, 0.1, 0.04, 0.08, 0.8, 0.0, 0.6];
+    for tier in [SlopeTier::Unweighted, SlopeTier::Gaussian, SlopeTier::Pair] {
+        let color = |at: f32, direction: [f32; 2]| {
+            let scene = Scene::new("dune").slope(step(at)?).slope_tier(tier).tier(Tier::ClosedForm(Kernel::Exact));
+            let (module, viewed) = (scene.module()?, if tier == SlopeTier::Unweighted { 5 } else { 8 });
+            let numbers = [&surface[..viewed], &direction].concat();
+            let colors = ExportKernel::new(&device, &module, &module.exports()[0])?.run(&numbers)?;
+            Ok::<_, crate::Fault>(colors[0][0])
+        };
+        let (whole, half) = (color(0.2, [0.6, 0.8])?, color(0.1, [0.3, 0.4])?);
+        assert!(whole > 0.1 && whole < 0.9 && (whole - half).abs() < 1e-5, "{tier}: {whole} {half}");
     }
     Ok(())
 }
