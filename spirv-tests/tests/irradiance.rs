@@ -4,6 +4,7 @@ use prefilter::gpu::Device;
 use prefilter::reference::irradiance::{lambert, over};
 use prefilter::reference::slopes::Visible;
 use prefilter::{Colors, Irradiance, IrradianceTier, Scene};
+use spirv_tests::any;
 use spirv_tests::exports::ExportKernel;
 use spirv_tests::random::Random;
 
@@ -254,5 +255,46 @@ fn images_become_polynomials() -> Outcome {
     assert!(error.contains("column 2 of row 1"), "{error}");
     assert!(Irradiance::from_equirectangular(width, height + 1, &texels).is_err());
     assert!(Irradiance::from_harmonics([[f32::NAN; 3]; 9]).is_err());
+    Ok(())
+}
+
+/// Whatever the slopes and views: huge, denormal, infinite, of any rank and from below, light is finite and no more
+/// than normals of unit length receive.
+#[test]
+fn any_input_gives_a_light() -> Outcome {
+    let device = Device::new()?;
+    let mut random = Random::new(17);
+    let light = Irradiance::from_harmonics(GRACE)?;
+    let most = [0, 1, 2].map(|channel| light.polynomial().iter().map(|color| color[channel].abs()).sum::<f32>());
+    let up = [1.0f32, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0];
+    let count = 100_000;
+    for tier in
+        [IrradianceTier::Normal, IrradianceTier::Points, IrradianceTier::ThreeGaussians, IrradianceTier::FourGaussians]
+    {
+        let module = Scene::new("hall").irradiance(light).irradiance_tier(tier).module()?;
+        let (mut skies, mut suns) = (Vec::new(), Vec::new());
+        for index in 0..count {
+            let (slope, covariance) = (any::slope(&mut random), any::covariance(&mut random));
+            let [view, sun] = [any::direction(&mut random), any::direction(&mut random)];
+            let mut surface: Vec<f32> =
+                [&slope[..], &covariance, &view].concat().into_iter().map(|value| value as f32).collect();
+            if index % 4 == 0 {
+                surface[2..5].fill_with(|| any::number(&mut random));
+            }
+            skies.extend(surface.iter().chain(&up));
+            suns.extend(surface.into_iter().chain(sun.map(|part| part as f32)));
+        }
+        let kernel = |export: usize| ExportKernel::new(&device, &module, &module.exports()[export]);
+        let (skies_found, suns_found) = (kernel(0)?.run(&skies)?, kernel(1)?.run(&suns)?);
+        assert!(skies_found.len() == count && suns_found.len() == count);
+        for (found, point) in skies_found.iter().zip(skies.chunks_exact(17)) {
+            for channel in 0..3 {
+                assert!((0.0..=1.01 * most[channel]).contains(&found[channel]), "{tier}: {point:?} gives {found:?}");
+            }
+        }
+        for (found, point) in suns_found.iter().zip(suns.chunks_exact(11)) {
+            assert!((0.0..=1.0).contains(&found[0]), "{tier}: {point:?} gives {found:?}");
+        }
+    }
     Ok(())
 }

@@ -37,7 +37,7 @@ fn irradiance_read(means: normals_means, environment: texture_2d<f32>) -> vec3f 
 }
 
 /// Mean of Lambert's cosine max(n · l, 0) of a directional light, n · l taken for normal with the mean and the variance
-/// that the means of n and n nᵀ give it.
+/// that the means of n and n nᵀ give it; 1 at most.
 ///
 /// Source: a normal variable above 0; by visible slopes the cosine itself is off by up to 0.03.
 /// Domain: means.first in [-0.5, 0.5], means.level in [-1, 1], means.upright in [-1, 1], light unit.
@@ -47,5 +47,5 @@ fn irradiance_lambert(means: normals_means, light: vec3f) -> f32 {
     let mean = dot(m.first, light);
     let square = mat3x3f(vec3f(m.level.xy, m.upright.x), vec3f(m.level.yz, m.upright.y), m.upright);
     let deviation = sqrt(max(dot(light, square * light) - mean * mean, 1e-12));
-    return max(mean, 0.0) + deviation * normal_excess(abs(mean / deviation));
+    return min(max(mean, 0.0) + deviation * normal_excess(abs(mean / deviation)), 1.0);
 }

@@ -91,7 +91,7 @@ fn normals_visible(view: vec3f, mean_slope: vec2f, covariance: vec3f) -> normals
     let rates = vec4f(0.02683, 0.26268, 0.95868, 2.79078);
     let w = vec4f(0.36239, 0.33308, 0.24746, 0.05708);
     let q = vec4f(0.08936, 0.3169, 0.41236, 0.18138);
-    let found = exp(-rates * min(squared, 1e3));
+    let found = exp(-rates * min(squared, 4e3)); // 0 there, whatever multiplies it
     var m = normals_plus(none, mean, z - dot(w, found), z * z - dot(q, found));
     m = normals_gaussian(m, view, mean_slope, covariance, area, rates.x, w.x, q.x);
     m = normals_gaussian(m, view, mean_slope, covariance, area, rates.y, w.y, q.y);
@@ -118,7 +118,7 @@ fn normals_visible_fast(view: vec3f, mean_slope: vec2f, covariance: vec3f) -> no
     let rates = vec3f(0.05083, 0.46504, 1.89618);
     let w = vec3f(0.48203, 0.35231, 0.16913);
     let q = vec3f(0.15483, 0.47035, 0.37135);
-    let found = exp(-rates * min(squared, 1e3));
+    let found = exp(-rates * min(squared, 4e3)); // 0 there, whatever multiplies it
     var m = normals_plus(none, mean, z - dot(w, found), z * z - dot(q, found));
     m = normals_gaussian(m, view, mean_slope, covariance, area, rates.x, w.x, q.x);
     m = normals_gaussian(m, view, mean_slope, covariance, area, rates.y, w.y, q.y);
