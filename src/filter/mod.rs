@@ -25,7 +25,7 @@ pub enum Tier {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Kernel {
-    /// Shorter polynomials: 2e-6 deviations a kink, 2e-5 a step.
+    /// Shorter polynomials: 1e-6 deviations a kink, 2e-5 a step.
     Fast,
     /// Exact to f32 rounding.
     Exact,

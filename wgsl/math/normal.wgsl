@@ -36,28 +36,24 @@ fn normal_cdf_fast(x: f32) -> f32 {
 
 /// Mean excess of a standard normal variable z over a threshold: E[max(z − threshold, 0)].
 ///
-/// Source: the definition, φ(t) − t Φ(−t) for t ≥ 0; a degree-6 polynomial to the power −16.
+/// Source: the definition, φ(t) − t Φ(−t) for t ≥ 0; φ(0) to the bits that it loses, a minimax polynomial of degree 6.
 /// Domain: threshold in [0, 12].
-/// Error: 2e-7 absolute; fit 4.2e-8, the rest is f32 rounding and the device's division.
+/// Error: 2e-7 absolute; fit 4.9e-8, the rest is f32 rounding and the device's exp2. Beyond 6 it stays 1.2e-10.
 fn normal_excess(threshold: f32) -> f32 {
-    let x = clamp(threshold, 0.0, 8.0);
-    var q = x * (0.0783318985 + x * (0.0209077053 + x * (0.0033187608
-        + x * (0.000251372515 + x * (1.91545216e-5 + x * 8.6203645e-6)))));
-    q *= 2.0 + q;
-    q *= 2.0 + q;
-    q *= 2.0 + q;
-    q *= 2.0 + q;
-    return 0.3989422804 / (1.0 + q); // φ(0) = 1/√(2π)
+    let x = clamp(threshold, 0.0, 6.0);
+    let bits = x * (1.80815711 + x * (0.411663591 + x * (0.0429469204 + x * (-0.00313502151
+        + x * (-0.000149233981 + x * 3.98099812e-5)))));
+    return 0.3989422804 * exp2(-bits); // φ(0) = 1/√(2π)
 }
 
-/// Mean excess of a standard normal variable over a threshold, by one exponential and a shorter polynomial.
+/// Mean excess of a standard normal variable over a threshold, by a shorter polynomial.
 ///
-/// Source: as `normal_excess`, with a polynomial of degree 4 for its bits.
+/// Source: as `normal_excess`, with degree 4.
 /// Domain: threshold in [0, 12].
-/// Error: 2e-6 absolute; of the fit.
+/// Error: 1e-6 absolute; fit 6.8e-7.
 fn normal_excess_fast(threshold: f32) -> f32 {
     let x = clamp(threshold, 0.0, 6.0);
-    let bits = x * (1.80815009 + x * (0.411667033 + x * (0.0430004075 - x * 0.00331234344)));
+    let bits = x * (1.80810752 + x * (0.411901127 + x * (0.0427071737 - x * 0.00320086619)));
     return 0.3989422804 * exp2(-bits); // φ(0) = 1/√(2π)
 }
 
