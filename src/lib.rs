@@ -125,6 +125,7 @@ pub use accuracy::{Accuracy, Bound, Ranges};
 pub use cost::Cost;
 pub use driver::moment_mipmap::{Edge, MomentMipmap};
 pub use driver::moments::{Moments, Pixel, Taps};
+pub use driver::slope_moments::SlopeMipmap;
 pub use driver::Driver;
 pub use error::Error;
 pub use filter::height::{HeightTier, Microsurface};

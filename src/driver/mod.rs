@@ -2,6 +2,8 @@
 
 pub mod moment_mipmap;
 pub mod moments;
+mod slope_grid;
+pub mod slope_moments;
 
 use moments::Moments;
 

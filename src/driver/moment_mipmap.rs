@@ -46,7 +46,7 @@ pub struct MomentMipmap {
 /// Largest side of an image.
 const WIDEST: u32 = 16_384;
 /// Largest value: squares of differences stay far inside f32.
-const LARGEST: f32 = 1e15;
+pub(super) const LARGEST: f32 = 1e15;
 
 /// Mean and variance of every texel of a level.
 struct Grid {
@@ -65,17 +65,8 @@ impl MomentMipmap {
     /// [`Error::Size`] where a side is 0 or above 16384 or the number of values is not width times height;
     /// [`Error::Value`] for a value that is no number or beyond ±1e15.
     pub fn new(width: u32, height: u32, values: &[f32], edge: Edge) -> Result<Self, Error> {
-        for (side, size) in [("width", width), ("height", height)] {
-            if !(1..=WIDEST).contains(&size) {
-                let (what, allowed) = (format!("the image's {side}"), format!("1 to {WIDEST}"));
-                return Err(Error::Size { what, count: size as usize, allowed });
-            }
-        }
+        check_size(width, height, values.len())?;
         let (wide, high) = (width as usize, height as usize);
-        if values.len() != wide * high {
-            let allowed = format!("{}, width times height", wide * high);
-            return Err(Error::Size { what: "the image's number of values".into(), count: values.len(), allowed });
-        }
         // Written so that NaN is refused.
         if let Some(at) = values.iter().position(|value| !(value.abs() <= LARGEST)) {
             let what = format!("the image's value at ({}, {})", at % wide, at / wide);
@@ -226,8 +217,27 @@ impl Grid {
     }
 }
 
+/// Whether a side is one of an image's, and every texel has its value.
+///
+/// # Errors
+/// [`Error::Size`] otherwise.
+pub(super) fn check_size(width: u32, height: u32, count: usize) -> Result<(), Error> {
+    for (side, size) in [("width", width), ("height", height)] {
+        if !(1..=WIDEST).contains(&size) {
+            let (what, allowed) = (format!("the image's {side}"), format!("1 to {WIDEST}"));
+            return Err(Error::Size { what, count: size as usize, allowed });
+        }
+    }
+    let texels = width as usize * height as usize;
+    if count != texels {
+        let allowed = format!("{texels}, width times height");
+        return Err(Error::Size { what: "the image's number of values".into(), count, allowed });
+    }
+    Ok(())
+}
+
 /// Which of `from` texels each of `to` texels covers along one axis, and the share of its length: shares sum to one.
-fn spans(from: usize, to: usize) -> Vec<Vec<(usize, f64)>> {
+pub(super) fn spans(from: usize, to: usize) -> Vec<Vec<(usize, f64)>> {
     // In units of 1/(from · to) of the side every edge is an integer.
     let span = |index: usize| {
         let (low, high) = (index * from, (index + 1) * from);
