@@ -223,8 +223,8 @@ impl Scene {
         Self { accuracy: Some(accuracy), ..self }
     }
 
-    /// The values over which bounds hold and tables reach; larger deviations count as the largest. Default:
-    /// [`Ranges::of`] the map, which for a map over [0, 1] is [`Ranges::default`].
+    /// The values over which bounds hold and tables reach; larger deviations count as the largest. Percentiles and
+    /// irradiance have none. Default: [`Ranges::of`] the map, which for a map over [0, 1] is [`Ranges::default`].
     #[must_use]
     pub fn ranges(self, ranges: Ranges) -> Self {
         Self { ranges: Some(ranges), ..self }

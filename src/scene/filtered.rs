@@ -82,6 +82,7 @@ impl Scene {
             slope_tier.map(|tier| format!("a tier of slopes, {tier}")),
             irradiance_tier.map(|tier| format!("a tier of irradiance, {tier}")),
             hidden.then(|| "a `microsurface`, which hides heights".to_owned()),
+            (self.ranges.is_some() && !mapped).then(|| "`ranges`, which are those of values".to_owned()),
             (percentiles && self.microsurface.perturbed)
                 .then(|| "noise on the heights, which has no percentile".to_owned()),
         ];

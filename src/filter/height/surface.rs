@@ -23,8 +23,8 @@ pub struct Microsurface {
     /// are over the plane whose normal is z; below the horizon of the mean surface nothing is seen. Default: no.
     pub mean_slope: bool,
     /// Independent normal noise lies on the heights: `NAME_height` takes its mean and deviation, `noise_mean` and
-    /// `noise_deviation`, behind those of the heights. The scene's ranges are then those of the sum: its mean is the
-    /// sum of both, its deviation the square root of the sum of both variances. Default: no.
+    /// `noise_deviation`, behind those of the heights. The scene's ranges are then those of the sum, too: its mean is
+    /// the sum of both, its deviation the square root of the sum of both variances. Default: no.
     pub perturbed: bool,
 }
 
