@@ -6,9 +6,10 @@
 //! Source: Heitz, Nowrouzezahrai, Poulin and Neyret 2014, "Filtering Non-Linear Transfer Functions on Surfaces",
 //! section 5.3; Ramamoorthi and Hanrahan 2001, "An Efficient Representation for Irradiance Environment Maps".
 
+use super::knots;
 use super::texture::{number, Filter};
 use crate::accuracy::{promise, Bound};
-use crate::table::{Format, Level, Sampling, Table};
+use crate::table::Table;
 use crate::transfer::color_map::Colors;
 use crate::transfer::irradiance::Irradiance;
 use crate::transfer::pieces::ROUNDING;
@@ -109,13 +110,7 @@ fn most(light: &Irradiance) -> f64 {
 /// The polynomial's colors as one row of texels.
 fn environment(light: &Irradiance) -> Table {
     let texels = light.polynomial().iter().flat_map(|&[red, green, blue]| [red, green, blue, 0.0]).collect();
-    Table {
-        name: "environment".to_owned(),
-        format: Format::Rgba32Float,
-        sampling: Sampling::Loaded,
-        levels: vec![Level { width: 9, height: 1, depth: 1, texels }],
-        error: 0.0,
-    }
+    knots::row("environment", 9, 1, texels)
 }
 
 /// `NAME_irradiance` with a body, and `NAME_lambert`.

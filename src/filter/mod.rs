@@ -2,6 +2,7 @@
 
 pub mod height;
 pub mod irradiance;
+mod knots;
 pub mod percentile;
 pub mod slope;
 mod terms;

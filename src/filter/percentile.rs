@@ -10,10 +10,10 @@ use std::f64::consts::LN_2;
 
 use super::height::surface::step_error;
 use super::height::{variation, HeightTier, Microsurface};
+use super::knots;
 use super::texture::{color, number, returned, swizzle, Filter};
 use crate::accuracy::{promise, Bound};
-use crate::table::{Format, Level, Sampling, Table};
-use crate::transfer::color_map::{ColorMap, Colors, Knot};
+use crate::transfer::color_map::{ColorMap, Colors};
 use crate::transfer::pieces::{Pieces, Ramp, ROUNDING};
 use crate::Error;
 
@@ -136,47 +136,16 @@ fn bound(map: &ColorMap, pieces: &Pieces, surface: Microsurface) -> f32 {
 }
 
 fn dynamic(map: &ColorMap, surface: Microsurface) -> Filter {
-    let knots = map.knots();
-    let line = |texel: fn(&Knot) -> [f32; 4]| knots.iter().flat_map(texel);
-    let positions = knots.iter().enumerate().flat_map(|(index, knot)| {
+    let table = knots::table(map, |index, knot| {
         let low = f64::from(knot.position);
-        let [span, ratio] = knots.get(index + 1).map_or([0.0; 2], |next| {
+        let [span, ratio] = map.knots().get(index + 1).map_or([0.0; 2], |next| {
             let [_, span, ratio] = segment(low, f64::from(next.position) - low);
             [span, ratio]
         });
         [bits(low), span, ratio, 0.0].map(|value| value as f32)
     });
-    let texels = line(|knot| knot.left).chain(line(|knot| knot.right)).chain(positions).collect();
-    let table = Table {
-        name: "knots".to_owned(),
-        format: Format::Rgba32Float,
-        sampling: Sampling::Loaded,
-        levels: vec![Level { width: knots.len() as u32, height: 3, depth: 1, texels }],
-        error: 0.0,
-    };
     let body = format!("    return percentile_knots(seen + lit, knots){};\n", swizzle(map));
-    let bound = Bound::Guaranteed(dynamic_bound(map, surface));
-    Filter { body, tables: vec![table], bound, trips: knots.len() }
-}
-
-/// As [`bound`]: each segment and each edge is a weight times a difference of colors, with three roundings of the term
-/// and one of the sum, which stays in the hull.
-fn dynamic_bound(map: &ColorMap, surface: Microsurface) -> f32 {
-    let (low, high) = map.hull();
-    let bound = |channel: usize| {
-        let largest = f64::from(low[channel].abs().max(high[channel].abs()));
-        let term = |from: [f32; 4], to: [f32; 4], promised: f64| {
-            let change = (f64::from(to[channel]) - f64::from(from[channel])).abs();
-            let rounding = if change > 0.0 { ROUNDING * largest } else { 0.0 };
-            change * (promised + 3.0 * ROUNDING) + rounding
-        };
-        let edges = map.knots().iter().map(|knot| term(knot.left, knot.right, promise("percentile_step")));
-        let segments = map.knots().windows(2).map(|pair| {
-            let (from, to) = (f64::from(pair[0].position), f64::from(pair[1].position));
-            term(pair[0].right, pair[1].left, ramp_error(from, to - from))
-        });
-        edges.sum::<f64>() + segments.sum::<f64>()
-    };
-    let own = (0..4).map(bound).fold(0.0, f64::max);
-    (variation(map) * step_error(HeightTier::Exact, surface, 0.0) + own) as f32
+    let own = knots::bound(map, promise("percentile_step"), |low, high| ramp_error(low, high - low));
+    let bound = variation(map) * step_error(HeightTier::Exact, surface, 0.0) + own;
+    Filter { body, tables: vec![table], bound: Bound::Guaranteed(bound as f32), trips: map.knots().len() }
 }

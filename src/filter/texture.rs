@@ -4,14 +4,14 @@
 //! section 4, equation 9.
 
 use super::terms::{constant, distance, placed, terms};
-use super::{Kernel, Tier};
+use super::{knots, Kernel, Tier};
 use crate::accuracy::{promise, Bound, Ranges};
 use crate::reference::normal::{cumulative, density};
 use crate::table::bake::Plan;
 use crate::table::grid::{Axis, Spacing};
-use crate::table::{Format, Level, Sampling, Table};
-use crate::transfer::color_map::{ColorMap, Colors, Knot};
-use crate::transfer::pieces::{Pieces, ROUNDING};
+use crate::table::Table;
+use crate::transfer::color_map::{ColorMap, Colors};
+use crate::transfer::pieces::Pieces;
 use crate::Error;
 
 /// Segments narrower than this part of the means' range, or of three deviations, become ramps: a difference of kinks
@@ -47,7 +47,7 @@ pub(crate) fn filter(map: &ColorMap, colors: Colors, tier: Tier, ranges: Ranges)
         (Tier::Table, _) => Ok(table(map, colors, ranges)),
         (Tier::Naive, Colors::Constant) => Ok(naive(map, ranges)),
         (Tier::ClosedForm(kernel), Colors::Constant) => Ok(closed_form(map, kernel, ranges)),
-        (Tier::ClosedForm(Kernel::Exact), Colors::Dynamic) => Ok(knots(map, ranges)),
+        (Tier::ClosedForm(Kernel::Exact), Colors::Dynamic) => Ok(dynamic(map, ranges)),
         (Tier::Naive | Tier::ClosedForm(Kernel::Fast), Colors::Dynamic) => Err(Error::Conflict(format!(
             "{tier} needs constant colors; dynamic colors go with the exact closed form and the tables"
         ))),
@@ -193,42 +193,13 @@ fn farthest(map: &ColorMap, ranges: Ranges) -> f64 {
     knots.map(|at| (f64::from(high) - at).max(at - f64::from(low))).fold(0.0, f64::max)
 }
 
-fn knots(map: &ColorMap, ranges: Ranges) -> Filter {
-    let knots = map.knots();
-    let line = |texel: fn(&Knot) -> [f32; 4]| knots.iter().flat_map(texel);
-    let texels = line(|knot| knot.left)
-        .chain(line(|knot| knot.right))
-        .chain(line(|knot| [knot.position, 0.0, 0.0, 0.0]))
-        .collect();
-    let table = Table {
-        name: "knots".to_owned(),
-        format: Format::Rgba32Float,
-        sampling: Sampling::Loaded,
-        levels: vec![Level { width: knots.len() as u32, height: 3, depth: 1, texels }],
-        error: 0.0,
-    };
+fn dynamic(map: &ColorMap, ranges: Ranges) -> Filter {
+    let table = knots::table(map, |_, knot| [knot.position, 0.0, 0.0, 0.0]);
     let reach = number(ranges.deviation);
     let body = format!("    return texture_knots(mean, clamp(deviation, 0.0, {reach}), knots){};\n", swizzle(map));
-    Filter { body, tables: vec![table], bound: knots_bound(map), trips: knots.len() }
-}
-
-/// Each segment and each edge is a weight times a difference of colors, so the weights' promises are enough, with three
-/// roundings of the term and one of the sum, which stays in the hull.
-fn knots_bound(map: &ColorMap) -> Bound {
     let (ramp, step) = (promise("texture_ramp"), promise("texture_step"));
-    let (low, high) = map.hull();
-    let bound = |channel: usize| {
-        let largest = f64::from(low[channel].abs().max(high[channel].abs()));
-        let term = |from: [f32; 4], to: [f32; 4], promise: f64| {
-            let change = (f64::from(to[channel]) - f64::from(from[channel])).abs();
-            let rounding = if change > 0.0 { ROUNDING * largest } else { 0.0 };
-            change * (promise + 3.0 * ROUNDING) + rounding
-        };
-        let edges = map.knots().iter().map(|knot| term(knot.left, knot.right, step));
-        let segments = map.knots().windows(2).map(|pair| term(pair[0].right, pair[1].left, ramp));
-        edges.sum::<f64>() + segments.sum::<f64>()
-    };
-    Bound::Guaranteed((0..4).map(bound).fold(0.0, f64::max) as f32)
+    let bound = Bound::Guaranteed(knots::bound(map, step, |_, _| ramp) as f32);
+    Filter { body, tables: vec![table], bound, trips: map.knots().len() }
 }
 
 /// The means' axis of constant colors fits the map; that of dynamic ones is the same for all maps.
