@@ -15,6 +15,7 @@ pub mod quadrature;
 pub mod slope;
 pub mod slopes;
 pub mod smith;
+pub mod steepness;
 pub mod taps;
 pub mod texture;
 pub mod visibility;

@@ -44,6 +44,7 @@ pub const FILES: &[File] = shelf![
     "visibility/normals.wgsl",
     "visibility/slopes.wgsl",
     "visibility/smith.wgsl",
+    "visibility/steepness.wgsl",
     "visibility/visibility.wgsl",
     "driver/moments.wgsl",
     "filter/height.wgsl",

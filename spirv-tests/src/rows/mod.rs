@@ -15,6 +15,7 @@ mod percentile;
 mod perturbed;
 mod slopes;
 mod smith;
+mod steepness;
 mod taps;
 mod texture;
 mod visibility;
@@ -148,6 +149,7 @@ pub fn all() -> Vec<Row> {
         perturbed::rows(),
         slopes::rows(),
         smith::rows(),
+        steepness::rows(),
         taps::rows(),
         texture::rows(),
         visibility::rows(),

@@ -7,6 +7,7 @@ mod gap;
 mod references;
 mod ridges;
 mod standard;
+mod steepness;
 mod steps;
 
 use std::f64::consts::TAU;

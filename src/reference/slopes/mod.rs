@@ -40,7 +40,7 @@ fn tail<const N: usize>(from: f64, offset: f64, function: impl Fn(f64) -> [f64; 
 
 impl Visible {
     /// t of the mean slope.
-    fn rise(&self) -> f64 {
+    pub fn rise(&self) -> f64 {
         self.view[2] - self.view[0] * self.mean[0] - self.view[1] * self.mean[1]
     }
 

@@ -20,6 +20,13 @@ pub fn moments(parameter: f64) -> [f64; 3] {
     [mean, second, third / second.powf(1.5)]
 }
 
+/// Kurtosis of u: 3 of a normal variable.
+pub fn kurtosis(parameter: f64) -> f64 {
+    let [mean] = average(parameter, |u| [u]);
+    let [second, fourth] = average(parameter, |u| [(u - mean).powi(2), (u - mean).powi(4)]);
+    fourth / (second * second)
+}
+
 /// The mean E[(u + a)⁺] of the weight over a standard normal u.
 pub fn weight(parameter: f64) -> f64 {
     let from = -parameter;
