@@ -144,8 +144,8 @@ impl SlopeMipmap {
     /// The pyramid as two textures: `NAME`, the mean and the factor's xx and yy, and `NAME_cross`, its yx and 0.
     ///
     /// [`Format::Rgba32Float`] keeps every digit, with [`Format::Rg32Float`] for the second. [`Format::Rgba16Float`]
-    /// and [`Format::Rg16Float`] halve the memory: eleven bits of each number, whose error the tables state. Texels are
-    /// to be read at their centers: factors, unlike means, do not interpolate.
+    /// and [`Format::Rg16Float`] halve the memory: eleven bits of each number, whose error the tables state. The
+    /// shelf's `slope_moments_read` reads texels at their centers: factors, unlike means, do not interpolate.
     ///
     /// # Errors
     /// [`Error::Conflict`] for a format of two channels, [`Error::Value`] where a number does not fit 16 bits.

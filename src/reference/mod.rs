@@ -13,6 +13,7 @@ pub mod percentile;
 pub mod perturbed;
 pub mod quadrature;
 pub mod slope;
+pub mod slope_moments;
 pub mod slopes;
 pub mod smith;
 pub mod steepness;

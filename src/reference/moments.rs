@@ -113,8 +113,21 @@ impl Image {
     /// the areas of the four parts around the position, bilinearly; level 0 is the reconstruction at the position. The
     /// kernel of a level has the variance w²/4, w the longer side of its parts in texels (0 at level 0), and the
     /// levels on either side of half the covariance's trace are mixed to that variance. `texels` are
-    /// [`Self::over_texel`] of all texels.
+    /// [`Self::over_texel`] of all texels. Below a texel the plane of the four texels takes over.
     pub fn read(&self, texels: &[[f64; 2]], position: [f64; 2], covariance: [f64; 3]) -> [f64; 2] {
+        let [mean, mut variance] = self.mixture(texels, position, covariance);
+        let wanted = 0.5 * (covariance[0] + covariance[2]);
+        if wanted < 1.0 {
+            // All of the plane up to a deviation of ¼, none from 1, linear in the logarithm.
+            let texel = [position[0] * self.width as f64, position[1] * self.height as f64];
+            let share = (libm::log(wanted.sqrt() / 0.25) / libm::log(4.0)).clamp(0.0, 1.0);
+            variance = share * variance + (1.0 - share) * self.plane(texel, covariance);
+        }
+        [mean, variance.max(0.0).sqrt()]
+    }
+
+    /// Mean and variance of the two levels that [`Self::read`] mixes, whatever the footprint's size.
+    pub fn mixture(&self, texels: &[[f64; 2]], position: [f64; 2], covariance: [f64; 3]) -> [f64; 2] {
         let wanted = 0.5 * (covariance[0] + covariance[2]);
         let kernels = self.kernels();
         let above = kernels.iter().take_while(|&&kernel| kernel <= wanted).count();
@@ -126,14 +139,7 @@ impl Image {
         };
         let mut parts = self.parts(texels, position, fine, 1.0 - share);
         parts.extend(self.parts(texels, position, coarse, share));
-        let [mean, mut variance] = total(&parts);
-        if wanted < 1.0 {
-            // All of the plane up to a deviation of ¼, none from 1, linear in the logarithm.
-            let texel = [position[0] * self.width as f64, position[1] * self.height as f64];
-            let share = (libm::log(wanted.sqrt() / 0.25) / libm::log(4.0)).clamp(0.0, 1.0);
-            variance = share * variance + (1.0 - share) * self.plane(texel, covariance);
-        }
-        [mean, variance.max(0.0).sqrt()]
+        total(&parts)
     }
 
     /// The variance of the kernel of each level.

@@ -47,6 +47,7 @@ pub const FILES: &[File] = shelf![
     "visibility/steepness.wgsl",
     "visibility/visibility.wgsl",
     "driver/moments.wgsl",
+    "driver/slope_moments.wgsl",
     "filter/height.wgsl",
     "filter/irradiance.wgsl",
     "filter/perturbed.wgsl",

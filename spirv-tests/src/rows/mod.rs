@@ -13,6 +13,7 @@ mod normal;
 mod normals;
 mod percentile;
 mod perturbed;
+mod slope_moments;
 mod slopes;
 mod smith;
 mod steepness;
@@ -147,6 +148,7 @@ pub fn all() -> Vec<Row> {
         normals::rows(),
         percentile::rows(),
         perturbed::rows(),
+        slope_moments::rows(),
         slopes::rows(),
         smith::rows(),
         steepness::rows(),

@@ -17,7 +17,7 @@ struct Sample {
 }
 
 /// Across and down; `near_center` knows them too.
-const SIZE: [usize; 2] = [13, 7];
+pub(super) const SIZE: [usize; 2] = [13, 7];
 
 /// Slopes, waves and noise in [0, 1].
 fn values() -> Vec<f32> {
@@ -49,7 +49,7 @@ fn near_center(point: &[f64], size: [usize; 2]) -> bool {
     near(point[0] * size[0] as f64 - 0.5) || near(point[1] * size[1] as f64 - 0.5)
 }
 
-fn cell_is_certain(point: &[f64]) -> bool {
+pub(super) fn cell_is_certain(point: &[f64]) -> bool {
     let level = point[2].clamp(0.0, 3.0) as usize;
     !near_center(point, SIZE.map(|size| (size >> level).max(1)))
 }
