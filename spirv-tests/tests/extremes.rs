@@ -7,6 +7,7 @@ use prefilter::{
     Shader, Table, Taps, Tier,
 };
 use proptest::prelude::*;
+use proptest::test_runner::TestRunner;
 
 /// Any f32: subnormal, infinite and NaN, and often one at a limit.
 fn number() -> impl Strategy<Value = f32> {
@@ -64,13 +65,13 @@ fn shares(map: &ColorMap) -> Result<ColorMap, TestCaseError> {
     ColorMap::gradient(stops).map_err(|error| TestCaseError::fail(error.to_string()))
 }
 
-/// Whether a module's text, numbers and probe hold together.
-fn sound(scene: &Scene) -> Result<(), TestCaseError> {
-    let Ok(module) = scene.module() else { return Ok(()) };
+/// Whether a module's text, numbers and probe hold together: 1, or 0 for a scene that is refused.
+fn sound(scene: &Scene) -> Result<usize, TestCaseError> {
+    let Ok(module) = scene.module() else { return Ok(0) };
     prop_assert!(module.bound().value() >= 0.0 && module.bound().value().is_finite(), "{}", module.explain());
     let linked = module.link(&module.probe(prefilter::Stage::Fragment));
     prop_assert!(linked.is_ok_and(|shader| shader.spirv().is_ok()), "{}", module.wgsl());
-    Ok(())
+    Ok(1)
 }
 
 proptest! {
@@ -88,33 +89,39 @@ proptest! {
     }
 }
 
-proptest! {
-    #![proptest_config(ProptestConfig { cases: 300, failure_persistence: None, ..ProptestConfig::default() })]
-
-    #[test]
-    fn scenes_return(
-        stops in stops(), (tier, colors) in tier(), pixel in pixel(), error in number(),
-        mean in (number(), number()), deviation in number(), height in height_tier(), surface in surface(),
-    ) {
-        let stops = sorted(&stops);
-        let accuracy = Accuracy::max_filter_error(error).without_tables();
-        let driver = Driver::Moments(Moments { taps: Taps::Two, pixel });
-        let Ok(map) = ColorMap::gradient(stops) else { return Ok(()) };
-        let high = Scene::new("extreme").height(map.clone()).colors(colors).height_tier(height).microsurface(surface);
-        let shares = Scene::new("extreme").height_percentile(shares(&map)?).colors(colors).microsurface(surface);
-        let over = tier.filter(|_| !matches!(height, HeightTier::ClosedForm | HeightTier::Exact));
-        let high = over.map_or(high.clone().accuracy(accuracy), |tier| high.tier(tier));
-        let scene = Scene::new("extreme").texture(map).colors(colors);
-        let scene = tier.map_or(scene.clone().accuracy(accuracy), |tier| scene.tier(tier));
-        sound(&scene)?;
-        sound(&scene.clone().driver(driver))?;
-        sound(&scene.clone().ranges(Ranges { mean, deviation }))?;
-        sound(&scene.ranges(Ranges { mean, deviation }).driver(driver))?;
-        sound(&shares)?;
-        sound(&high.clone().driver(driver))?;
-        sound(&high)?;
-        sound(&high.ranges(Ranges { mean, deviation }))?;
-    }
+/// One scene in ten and more is not refused, so that the test says something.
+#[test]
+fn scenes_return() -> Result<(), Box<dyn StdError + Send + Sync>> {
+    let accepted = std::cell::Cell::new(0);
+    let config = ProptestConfig { cases: 300, failure_persistence: None, ..ProptestConfig::default() };
+    let mean = (number(), number());
+    let inputs = (stops(), tier(), pixel(), number(), mean, number(), height_tier(), surface());
+    TestRunner::new(config).run(
+        &inputs,
+        |(stops, (tier, colors), pixel, error, mean, deviation, height, surface)| {
+            let accuracy = Accuracy::max_filter_error(error).without_tables();
+            let driver = Driver::Moments(Moments { taps: Taps::Two, pixel });
+            let ranges = Ranges { mean, deviation };
+            let Ok(map) = ColorMap::gradient(sorted(&stops)) else { return Ok(()) };
+            let high =
+                Scene::new("extreme").height(map.clone()).colors(colors).height_tier(height).microsurface(surface);
+            let shares = Scene::new("extreme").height_percentile(shares(&map)?).colors(colors).microsurface(surface);
+            let over = tier.filter(|_| !matches!(height, HeightTier::ClosedForm | HeightTier::Exact));
+            let high = over.map_or(high.clone().accuracy(accuracy), |tier| high.tier(tier));
+            let scene = Scene::new("extreme").texture(map).colors(colors);
+            let scene = tier.map_or(scene.clone().accuracy(accuracy), |tier| scene.tier(tier));
+            let driven = [scene.clone().driver(driver), scene.clone().ranges(ranges).driver(driver)];
+            let plain = [scene.clone(), scene.ranges(ranges), shares];
+            let heights = [high.clone().driver(driver), high.clone(), high.ranges(ranges)];
+            for scene in driven.iter().chain(&plain).chain(&heights) {
+                accepted.set(accepted.get() + sound(scene)?);
+            }
+            Ok(())
+        },
+    )?;
+    println!("{} scenes accepted", accepted.get());
+    assert!(accepted.get() >= 240);
+    Ok(())
 }
 
 #[test]
