@@ -19,8 +19,8 @@ use crate::Error;
 const NARROW: f64 = 0.01;
 
 /// With the fast kernel, segments become ramps that rise by more than this many hulls over the means' unit: each of
-/// their kinks would err by 6e-7 times the slope, and 1.2e-5 is what a kink may.
-const STEEP: f64 = 20.0;
+/// their kinks would err by 6e-7 times the slope, and 6e-5 is what a kink may.
+const STEEP: f64 = 100.0;
 
 /// Beyond this many deviations from the outermost knots a mean is constant to f32.
 pub(super) const REACH: f32 = 8.0;
