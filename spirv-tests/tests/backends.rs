@@ -141,6 +141,30 @@ fn hlsl_and_msl_are_written_whole() -> Outcome {
     Ok(())
 }
 
+/// Two textures behind one sampler, which no scene has.
+#[test]
+fn slopes_read_in_every_language() -> Outcome {
+    let folder = folder("slopes")?;
+    let text = "@group(0) @binding(0) var slopes: texture_2d<f32>;
+        @group(0) @binding(1) var slopes_cross: texture_2d<f32>;
+        @group(0) @binding(2) var slopes_sampler: sampler;
+        @fragment fn main(@location(0) position: vec2f) -> @location(0) vec4f {
+            let read = slope_moments_read(slopes, slopes_cross, slopes_sampler, position, vec3f(2.0, 0.0, 2.0));
+            return vec4f(read.mean.x + read.mean.y, read.covariance);
+        }";
+    let shader = prefilter::link(&[], text)?;
+    let file = folder.join("slopes.spv");
+    fs::write(&file, words(&shader.spirv()?))?;
+    accepted("spirv-val", &["--target-env", "vulkan1.1"], &file)?;
+    for (version, es) in [(300, true), (450, false)] {
+        let file = folder.join(format!("slopes.{version}.frag"));
+        fs::write(&file, shader.glsl("main", version, es)?)?;
+        accepted("glslangValidator", &[], &file)?;
+    }
+    assert!([shader.hlsl()?, shader.msl()?].iter().all(|text| text.contains("slope_moments_read")));
+    Ok(())
+}
+
 #[test]
 fn what_a_language_lacks_is_an_error() -> Outcome {
     let (_, _, [fragment, compute]) = &modules()?[0];

@@ -5,6 +5,7 @@ mod colors;
 mod device;
 mod pyramids;
 mod references;
+mod roughness;
 mod slope_reads;
 mod slopes;
 
