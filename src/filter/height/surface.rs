@@ -128,9 +128,10 @@ pub(crate) fn gap(surface: Microsurface, percentile: bool) -> String {
         (true, true) => lit(["0.10", "0.06", "0.24", "0.04"]),
     };
     let heights = if percentile { "" } else { "how far heights are from normal, " };
+    let who = if surface.shadowing { "view and light together have within 8e-5" } else { "a view has within 4e-5" };
     format!(
         "{heights}slope correlations beyond 0.98, and Λ beyond 1e4, which\n    \
-         directions within 8e-5 slope deviations of the horizon have. Smith's model itself was measured against\n    \
+         {who} slope deviations of the horizon. Smith's model itself was measured against\n    \
          lines of sight over rough surfaces: for one direction steps err by up to 0.04 with a Gaussian\n    \
          autocorrelation, 0.06 with others{light}"
     )
