@@ -73,7 +73,8 @@
 //! Facets count by their area in the picture: at grazing angles those that face the view. [`Scene::slope`] averages the
 //! map over one component of the slopes that are seen, along any horizontal vector: `NAME_slope` takes the mean and the
 //! covariance of the slopes, the direction of the view and that vector. [`SlopeTier`]s differ in how they represent the
-//! visible slopes; [`SlopeTier::Unweighted`] is for flat meshes whose normals come from a map.
+//! visible slopes; [`SlopeTier::Unweighted`] is for flat meshes whose normals come from a map. [`Scene::steepness`]
+//! averages a map over the length of the slopes that are seen: rock on cliffs, with one fetch.
 //!
 //! # Light by slope
 //!

@@ -7,6 +7,7 @@ mod heights;
 mod irradiance;
 mod percentile;
 mod slope;
+mod steepness;
 
 use crate::accuracy::{Accuracy, Ranges};
 use crate::driver::Driver;
@@ -21,9 +22,10 @@ use crate::{name, Error};
 
 /// What a material needs: what is filtered, over which values, and how closely.
 ///
-/// A scene filters one thing: one of [`Self::texture`], [`Self::height`], [`Self::height_percentile`], [`Self::slope`]
-/// and [`Self::irradiance`]. A material that needs more has a scene for each, whose modules [`link`](crate::link) takes
-/// together. [`Self::module`] refuses two, and settings that have no meaning for what is filtered.
+/// A scene filters one thing: one of [`Self::texture`], [`Self::height`], [`Self::height_percentile`], [`Self::slope`],
+/// [`Self::steepness`] and [`Self::irradiance`]. A material that needs more has a scene for each, whose modules
+/// [`link`](crate::link) takes together. [`Self::module`] refuses two, and settings that have no meaning for what is
+/// filtered.
 ///
 /// ```
 /// use prefilter::{Accuracy, ColorMap, Scene};
@@ -42,6 +44,8 @@ pub struct Scene {
     percentile: Option<ColorMap>,
     #[cfg_attr(feature = "serde", serde(default))]
     slope: Option<ColorMap>,
+    #[cfg_attr(feature = "serde", serde(default))]
+    steepness: Option<ColorMap>,
     #[cfg_attr(feature = "serde", serde(default))]
     irradiance: Option<Irradiance>,
     #[cfg_attr(feature = "serde", serde(default))]
@@ -67,6 +71,7 @@ impl Scene {
             height: None,
             percentile: None,
             slope: None,
+            steepness: None,
             irradiance: None,
             microsurface: Microsurface::default(),
             colors: Colors::default(),
@@ -248,7 +253,8 @@ impl Scene {
 
     /// The color map, where the scene has one.
     pub fn map(&self) -> Option<&ColorMap> {
-        self.texture.as_ref().or(self.height.as_ref()).or(self.percentile.as_ref()).or(self.slope.as_ref())
+        let maps = [&self.texture, &self.height, &self.percentile, &self.slope, &self.steepness];
+        maps.into_iter().flatten().next()
     }
 
     /// The ranges that bounds hold over: those given, or else those of the map.

@@ -14,7 +14,7 @@ type Result<T> = std::result::Result<T, Box<dyn std::error::Error + Send + Sync>
 /// # Errors
 /// None that the tests have seen: the maps are fixed.
 pub fn all() -> Result<Vec<(&'static str, Scene)>> {
-    Ok([textures()?, heights()?, slopes()?, irradiances()?].concat())
+    Ok([textures()?, heights()?, slopes()?, steepnesses()?, irradiances()?].concat())
 }
 
 /// The scenes of values.
@@ -108,6 +108,21 @@ pub fn slopes() -> Result<Vec<(&'static str, Scene)>> {
         ("slope_table", dune().slope_tier(SlopeTier::Pair).tier(Tier::Table)),
         ("slope_dynamic", dune().colors(Colors::Dynamic).slope_tier(SlopeTier::Pair).tier(EXACT)),
     ])
+}
+
+/// The scenes of steepness.
+///
+/// # Errors
+/// As [`all`].
+pub fn steepnesses() -> Result<Vec<(&'static str, Scene)>> {
+    let cliff = ColorMap::gradient([
+        (0.25, [0.22, 0.31, 0.09]),
+        (0.55, [0.35, 0.33, 0.22]),
+        (0.7, [0.46, 0.41, 0.36]),
+        (1.2, [0.31, 0.28, 0.26]),
+    ])?;
+    let cliff = || Scene::new("cliff").steepness(cliff.clone());
+    Ok(vec![("steepness_default", cliff()), ("steepness_dynamic", cliff().colors(Colors::Dynamic))])
 }
 
 const EXACT: Tier = Tier::ClosedForm(Kernel::Exact);

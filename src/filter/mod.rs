@@ -5,6 +5,7 @@ pub mod irradiance;
 mod knots;
 pub mod percentile;
 pub mod slope;
+pub(crate) mod steepness;
 mod terms;
 pub mod texture;
 

@@ -38,6 +38,8 @@ pub(super) enum Over {
     Heights(HeightTier),
     /// Slopes that are seen.
     Slopes(SlopeTier),
+    /// Lengths of slopes that are seen.
+    Steepness,
     /// Normals that are seen.
     Normals(IrradianceTier),
 }
@@ -68,6 +70,7 @@ impl Scene {
             Filtered::Height(map) => self.heights(map)?,
             Filtered::HeightPercentile(map) => vec![self.percentiles(map)?],
             Filtered::Slope(map) => self.slopes(map)?,
+            Filtered::Steepness(map) => vec![self.steepnesses(map)?],
             Filtered::Irradiance(light) => self.irradiances(light)?,
         };
         if candidates.len() == 1 && self.names_the_only_one() {

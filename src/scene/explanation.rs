@@ -6,6 +6,7 @@ use super::candidate::{Candidate, Over};
 use super::Scene;
 use crate::accuracy::{Bound, Ranges};
 use crate::filter::height::{self, surface, tier, HeightTier};
+use crate::filter::slope::SlopeTier;
 use crate::filter::{irradiance, slope};
 use crate::transfer::color_map::ColorMap;
 
@@ -16,6 +17,7 @@ impl Scene {
             Over::Values => "texture (C0)",
             Over::Heights(_) => "height (Ch)",
             Over::Slopes(_) => "slope (Cs)",
+            Over::Steepness => "steepness (Cs)",
             Over::Normals(_) => "irradiance",
         };
         let mut text = format!("{}: {what} by {}\n", self.name, chosen.label);
@@ -23,8 +25,9 @@ impl Scene {
         let covered = match (chosen.over, self.map()) {
             (Over::Heights(tier), Some(map)) => Some(self.covered(tier, map)),
             (Over::Slopes(tier), Some(map)) => Some(self.covered_slopes(tier, map)),
+            (Over::Steepness, Some(map)) => Some(self.covered_steepness(map)),
             (Over::Normals(tier), _) => Some(irradiance::covered(tier)),
-            (Over::Values | Over::Heights(_) | Over::Slopes(_), _) => None,
+            (Over::Values | Over::Heights(_) | Over::Slopes(_) | Over::Steepness, _) => None,
         };
         if let Some(covered) = covered {
             let _ = writeln!(text, "  covers  {covered}");
@@ -45,6 +48,7 @@ impl Scene {
                 format!("{};\n    {}", surface::gap(self.microsurface, false), driver.gap())
             }
             (Over::Slopes(tier), _) => slope::gap(tier),
+            (Over::Steepness, _) => slope::gap(SlopeTier::Gaussian),
             (Over::Normals(_), _) => irradiance::GAP.to_owned(),
         };
         let _ = writeln!(text, "  not in the error: {gap}");
@@ -86,6 +90,7 @@ impl Scene {
             Over::Values => (None, true),
             Over::Heights(tier) => (self.height_tier.map(|_| "heights"), !tier.stands_alone()),
             Over::Slopes(_) => (self.slope_tier.map(|_| "slopes"), true),
+            Over::Steepness => (None, false),
             Over::Normals(_) => (self.irradiance_tier.map(|_| "normals"), false),
         };
         let free = match (named, stacked && self.tier.is_none()) {
@@ -113,7 +118,7 @@ const UNDRIVEN: &str = "how far a pixel's values are from a normal distribution 
 
 /// Whether the bound is that of a distribution and of a map over it.
 fn stacked(candidate: &Candidate) -> bool {
-    matches!(candidate.over, Over::Heights(_) | Over::Slopes(_))
+    matches!(candidate.over, Over::Heights(_) | Over::Slopes(_) | Over::Steepness)
 }
 
 fn described(candidate: &Candidate) -> String {

@@ -15,8 +15,10 @@ pub(super) enum Filtered<'a> {
     Height(&'a ColorMap),
     /// Ch over percentiles of heights.
     HeightPercentile(&'a ColorMap),
-    /// Cs.
+    /// Cs by a component.
     Slope(&'a ColorMap),
+    /// Cs by length.
+    Steepness(&'a ColorMap),
     /// Light on the normals that are seen.
     Irradiance(&'a Irradiance),
 }
@@ -28,6 +30,7 @@ impl std::fmt::Display for Filtered<'_> {
             Self::Height(_) => "a `height`",
             Self::HeightPercentile(_) => "a `height_percentile`",
             Self::Slope(_) => "a `slope`",
+            Self::Steepness(_) => "a `steepness`",
             Self::Irradiance(_) => "`irradiance`",
         })
     }
@@ -44,6 +47,7 @@ impl Scene {
             self.height.as_ref().map(Filtered::Height),
             self.percentile.as_ref().map(Filtered::HeightPercentile),
             self.slope.as_ref().map(Filtered::Slope),
+            self.steepness.as_ref().map(Filtered::Steepness),
             self.irradiance.as_ref().map(Filtered::Irradiance),
         ]
         .into_iter()
@@ -58,7 +62,8 @@ impl Scene {
                 refused(format!("has more than one filter, {one} and {other}; make a scene of each"))
             }
             (None, _) => refused(
-                "filters nothing; give it a `texture`, a `height`, a `height_percentile`, a `slope` or `irradiance`"
+                "filters nothing; give it a `texture`, a `height`, a `height_percentile`, a `slope`, a `steepness` or \
+                 `irradiance`"
                     .into(),
             ),
         }

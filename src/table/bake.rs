@@ -115,12 +115,12 @@ impl Plan<'_> {
     }
 }
 
-fn half_rounded(value: f64) -> f32 {
+pub(super) fn half_rounded(value: f64) -> f32 {
     half::f16::from_f64(value).to_f32()
 }
 
 /// What a filtering sampler returns at a mean, a deviation and a skewness.
-fn filtered(texels: &[f32], axes: [Axis; 3], at: [f64; 3]) -> [f64; 4] {
+pub(super) fn filtered(texels: &[f32], axes: [Axis; 3], at: [f64; 3]) -> [f64; 4] {
     let numbers = [0, 1, 2].map(|axis| axes[axis].number(at[axis]));
     let mut sum = [0.0; 4];
     for corner in 0..8 {
@@ -139,7 +139,7 @@ fn filtered(texels: &[f32], axes: [Axis; 3], at: [f64; 3]) -> [f64; 4] {
 }
 
 /// The results of all rows in order, on as many threads as the machine has.
-fn rows(count: usize, row: impl Fn(usize) -> Vec<f32> + Sync) -> Vec<f32> {
+pub(super) fn rows(count: usize, row: impl Fn(usize) -> Vec<f32> + Sync) -> Vec<f32> {
     let threads = std::thread::available_parallelism().map_or(1, |threads| threads.get()).min(count.max(1));
     let mut results: Vec<Vec<f32>> = vec![Vec::new(); count];
     let share = count.div_ceil(threads).max(1);

@@ -2,6 +2,7 @@
 
 pub(crate) mod bake;
 pub mod grid;
+pub(crate) mod rice;
 pub(crate) mod strip;
 
 /// How a table's texels are stored.

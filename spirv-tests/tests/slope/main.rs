@@ -4,6 +4,7 @@ mod chain;
 mod figures;
 mod references;
 mod scenes;
+mod steepness;
 
 use std::error::Error;
 use std::f64::consts::TAU;

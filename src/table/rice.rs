@@ -1,0 +1,153 @@
+//! Tables of a map's means over distributions of Rice, baked with a polynomial for the Bessel function and judged by
+//! quadrature over angles.
+
+use super::bake::{filtered, half_rounded, rows};
+use super::grid::{Axis, Spacing};
+use super::{Format, Level, Sampling, Table};
+use crate::reference::quadrature::integrate;
+use crate::reference::steepness::rice_mean;
+use crate::reference::texture::PiecewiseLinear;
+
+/// Beyond this many deviations lies less than 1e-9 of a distribution.
+const FAR: f64 = 6.0;
+
+/// Parts of the judged centers, so that those beyond the axis are judged too.
+const EVEN: u32 = 64;
+
+/// The only slice.
+const FLAT: Axis = Axis { low: 0.0, high: 1.0, count: 1, spacing: Spacing::Linear };
+
+/// A map, the axes of its table, and what the table is judged over.
+#[derive(Clone, Copy)]
+pub(crate) struct Plan<'a> {
+    /// The map.
+    pub map: &'a PiecewiseLinear,
+    /// The columns: lengths ν of the mean vector.
+    pub centers: Axis,
+    /// The rows: deviations σ of a component.
+    pub deviations: Axis,
+    /// The largest ν that occurs.
+    pub highest: f64,
+    /// The smallest σ that occurs.
+    pub floor: f64,
+}
+
+impl Plan<'_> {
+    /// The table, with its error as measured.
+    pub(crate) fn table(self, name: &str) -> Table {
+        let texels = rows(self.deviations.count, |row| {
+            let deviation = self.deviations.value(row as f64);
+            let texel = |column: usize| mean(self.map, self.centers.value(column as f64).abs(), deviation);
+            (0..self.centers.count).flat_map(|column| texel(column).map(half_rounded)).collect()
+        });
+        let error = self.judge(&texels);
+        let [width, height] = [self.centers.count, self.deviations.count].map(|count| count as u32);
+        Table {
+            name: name.to_owned(),
+            format: Format::Rgba16Float,
+            sampling: Sampling::Filtered,
+            levels: vec![Level { width, height, depth: 1, texels }],
+            error,
+        }
+    }
+
+    /// The largest difference between a filtered read and the mean: between rows, on the last one and at the floor,
+    /// over the centers of all cells, the map's knots and even places. The quadrature over angles has the last word on
+    /// the worst place of each line.
+    fn judge(self, texels: &[f32]) -> f32 {
+        let cells = (0..self.centers.count - 1).map(|column| self.centers.value(column as f64 + 0.5));
+        let knots = self.map.knots.iter().map(|knot| knot.0);
+        let even = (0..=EVEN).map(|index| self.highest * f64::from(index) / f64::from(EVEN));
+        let places = cells.chain(knots).chain(even).filter(|at| (0.0..=self.highest).contains(at));
+        let places: Vec<f64> = places.collect();
+        let between = (0..self.deviations.count - 1).map(|row| self.deviations.value(row as f64 + 0.5));
+        let lines = between.chain([self.floor, self.deviations.high]).filter(|&line| line >= self.floor);
+        let lines: Vec<f64> = lines.collect();
+        let error = |at: f64, line: f64, truth: [f64; 4]| {
+            let read = filtered(texels, [self.centers, self.deviations, FLAT], [at, line, 0.0]);
+            read.iter().zip(truth).map(|(read, truth)| (read - truth).abs()).fold(0.0, f64::max)
+        };
+        let worst = |line: usize| {
+            let line = lines[line];
+            let errors = places.iter().map(|&at| (error(at, line, mean(self.map, at, line)), at));
+            let (_, at) = errors.fold((0.0, 0.0), |worst, next| if next.0 > worst.0 { next } else { worst });
+            vec![error(at, line, rice_mean(self.map, at, line)) as f32]
+        };
+        rows(lines.len(), worst).into_iter().fold(0.0, f32::max)
+    }
+}
+
+/// The modified Bessel function I₀ times e^−x, within 5e-7 of itself.
+///
+/// Source: Abramowitz and Stegun 1964, "Handbook of Mathematical Functions", equations 9.8.1 and 9.8.2.
+fn bessel(x: f64) -> f64 {
+    const SMALL: [f64; 7] = [1.0, 3.515_622_9, 3.089_942_4, 1.206_749_2, 0.265_973_2, 0.036_076_8, 0.004_581_3];
+    const LARGE: [f64; 9] = [
+        0.398_942_28,
+        0.013_285_92,
+        0.002_253_19,
+        -0.001_575_65,
+        0.009_162_81,
+        -0.020_577_06,
+        0.026_355_37,
+        -0.016_476_33,
+        0.003_923_77,
+    ];
+    let sum = |coefficients: &[f64], t: f64| coefficients.iter().rev().fold(0.0, |sum, value| sum * t + value);
+    if x < 3.75 {
+        (-x).exp() * sum(&SMALL, (x / 3.75).powi(2))
+    } else {
+        sum(&LARGE, 3.75 / x) / x.sqrt()
+    }
+}
+
+/// The mean of a map over a distribution of Rice, within 1e-6 of the largest color.
+fn mean(map: &PiecewiseLinear, center: f64, deviation: f64) -> [f64; 4] {
+    if deviation <= 0.0 {
+        return map.value(center);
+    }
+    let [low, high] = [(center - FAR * deviation).max(0.0), center + (FAR + 0.5) * deviation];
+    let mut sum = [0.0; 4];
+    let mut add = |from: f64, to: f64, color: &dyn Fn(f64) -> [f64; 4]| {
+        let piece: [f64; 4] = integrate(from.clamp(low, high), to.clamp(low, high), 4.0 * deviation, |length| {
+            let apart = (length - center) / deviation;
+            let x = length * center / (deviation * deviation);
+            let density = length / (deviation * deviation) * (-0.5 * apart * apart).exp() * bessel(x);
+            color(length).map(|channel| density * channel)
+        });
+        for (total, value) in sum.iter_mut().zip(piece) {
+            *total += value;
+        }
+    };
+    if let (Some(first), Some(last)) = (map.knots.first(), map.knots.last()) {
+        add(low, first.0, &|_| first.1);
+        add(last.0, high, &|_| last.2);
+    }
+    for pair in map.knots.windows(2) {
+        let [(from, _, right), (to, left, _)] = [pair[0], pair[1]];
+        add(from, to, &|length| {
+            let along = (length - from) / (to - from);
+            std::array::from_fn(|channel| right[channel] + along * (left[channel] - right[channel]))
+        });
+    }
+    sum
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn means_are_those_of_the_reference() {
+        let (black, white) = ([0.0, 0.3, 1.0, 1.0], [1.0, 0.4, 0.0, 1.0]);
+        let knots = vec![(-0.2, white, black), (0.3, white, black), (0.300_02, black, white), (0.9, white, white)];
+        let map = PiecewiseLinear { knots };
+        for (center, deviation) in [(0.0, 0.2), (0.31, 0.02), (0.7, 0.5), (1.4, 0.2), (0.3, 1e-4), (0.01, 0.7)] {
+            let (truth, found) = (rice_mean(&map, center, deviation), mean(&map, center, deviation));
+            for channel in 0..4 {
+                let apart = (found[channel] - truth[channel]).abs();
+                assert!(apart < 2e-6, "{center}, {deviation}: {found:?} {truth:?}");
+            }
+        }
+    }
+}
