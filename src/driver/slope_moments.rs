@@ -18,6 +18,10 @@ use crate::Error;
 /// are stored as their triangular factor F, with Σ = F Fᵀ: rounded factors are a covariance still, small deviations
 /// survive in 16 bits, and so does the smaller axis of a slender covariance.
 ///
+/// The length of a mean normal (Toksvig 2005) knows no axes. On gravel it states 0.99 of the mean variance of shallow
+/// slopes and 0.76 to 0.83 of that of slopes ten times as steep; where the gravel is stretched four to one, half of the
+/// larger variance and 7 to 11 times the smaller.
+///
 /// # Roughness of what a level no longer shows
 ///
 /// The covariance is microgeometry to the level that is read, and a BRDF can take it as roughness. Slopes of a surface

@@ -8,6 +8,7 @@ mod references;
 mod roughness;
 mod slope_reads;
 mod slopes;
+mod toksvig;
 
 use prefilter::reference::moments::{Beyond, Image};
 use spirv_tests::random::Random;
