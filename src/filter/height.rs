@@ -54,30 +54,18 @@ pub(crate) fn over(
     name: &str,
     arguments: &str,
 ) -> Filter {
-    let mut body = clamped(surface, ranges);
-    body += &colored(tier, surface, |mean, width| format!("{name}_texture({mean}, {width}{arguments})"));
-    let sum = (variation(map) * step_error(tier, surface, tier::rounded(tier, ranges))) as f32 + texture.bound.value();
-    let bound = match texture.bound {
-        // Neither the color nor the integral leaves the hull.
-        Bound::Guaranteed(_) => Bound::Guaranteed(sum.min(map.widest_span())),
-        Bound::Estimated(_) => Bound::Estimated(sum),
-    };
-    Filter { body, tables: texture.tables.clone(), bound, trips: texture.trips }
-}
-
-/// The statements that return the color, from the expression of C0 for a mean and a deviation.
-fn colored(tier: HeightTier, surface: Microsurface, texture: impl Fn(&str, &str) -> String) -> String {
-    let normal = |moments: &str| {
-        let (statement, [mean, width]) = visible(moments, surface);
-        format!("{statement}    return {};\n", texture(mean, width))
-    };
-    match tier {
-        HeightTier::Paper if surface.perturbed => normal("vec3f(heights_moments_paper(seen + lit), 0.0)"),
-        HeightTier::Paper => normal("heights_moments_paper(seen + lit)"),
+    let moments = match tier {
+        HeightTier::Paper if surface.perturbed => "vec3f(heights_moments_paper(seen + lit), 0.0)",
+        HeightTier::Paper => "heights_moments_paper(seen + lit)",
         HeightTier::Gaussian | HeightTier::Skewed | HeightTier::ClosedForm | HeightTier::Exact => {
-            normal("heights_moments_fast(seen + lit)")
+            "heights_moments_fast(seen + lit)"
         }
-    }
+    };
+    let (statement, [mean, width]) = visible(moments, surface);
+    let clamped = clamped(surface, ranges);
+    let body = format!("{clamped}{statement}    return {name}_texture({mean}, {width}{arguments});\n");
+    let step = step_error(tier, surface, tier::rounded(tier, ranges));
+    texture.beneath(map, variation(map) * step, body)
 }
 
 /// The filter of bands by the distribution itself: a probability an edge.

@@ -9,7 +9,7 @@
 
 use super::height::variation;
 use super::texture::{color_type, Filter};
-use crate::accuracy::{Bound, Ranges};
+use crate::accuracy::Ranges;
 use crate::transfer::color_map::ColorMap;
 
 /// How the distribution of visible slopes is represented: a ladder from the cheapest to the closest.
@@ -128,13 +128,7 @@ pub(crate) fn over(
             colored("high")
         ),
     };
-    let sum = (variation(map) * step_error(tier, ranges)) as f32 + texture.bound.value();
-    let bound = match texture.bound {
-        // Neither the color nor the integral leaves the hull.
-        Bound::Guaranteed(_) => Bound::Guaranteed(sum.min(map.widest_span())),
-        Bound::Estimated(_) => Bound::Estimated(sum),
-    };
-    Filter { body, tables: texture.tables.clone(), bound, trips: texture.trips }
+    texture.beneath(map, variation(map) * step_error(tier, ranges), body)
 }
 
 /// `NAME_slope` with a body.

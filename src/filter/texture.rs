@@ -37,6 +37,19 @@ pub(crate) struct Filter {
     pub trips: usize,
 }
 
+impl Filter {
+    /// The filter whose body calls this one, and errs by `more` besides.
+    pub(super) fn beneath(&self, map: &ColorMap, more: f64, body: String) -> Self {
+        let sum = more as f32 + self.bound.value();
+        let bound = match self.bound {
+            // Neither the color nor the integral leaves the hull.
+            Bound::Guaranteed(_) => Bound::Guaranteed(sum.min(map.widest_span())),
+            Bound::Estimated(_) => Bound::Estimated(sum),
+        };
+        Self { body, tables: self.tables.clone(), bound, trips: self.trips }
+    }
+}
+
 /// The filter of one tier.
 ///
 /// # Errors

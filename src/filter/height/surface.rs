@@ -64,8 +64,8 @@ pub(crate) fn lambdas(tier: HeightTier, surface: Microsurface) -> String {
 /// of the noise.
 pub(crate) fn visible(moments: &str, surface: Microsurface) -> (String, [&'static str; 2]) {
     if surface.perturbed {
-        let statement = format!("    let visible = {};\n", perturbed(moments));
-        return (statement, ["visible.x", "visible.y"]);
+        let sum = format!("heights_perturbed({moments}, mean, s, noise_mean, n)");
+        return (format!("    let visible = {sum};\n"), ["visible.x", "visible.y"]);
     }
     (format!("    let visible = {moments};\n"), ["mean + s * visible.x", "s * visible.y"])
 }
@@ -75,11 +75,6 @@ pub(crate) fn clamped(surface: Microsurface, ranges: Ranges) -> String {
     let reach = number(ranges.deviation);
     let noise = format!("    let n = clamp(noise_deviation, 0.0, {reach});\n");
     format!("    let s = clamp(deviation, 0.0, {reach});\n{}", if surface.perturbed { &noise } else { "" })
-}
-
-/// The moments of the sum of heights with these moments and the noise.
-pub(crate) fn perturbed(moments: &str) -> String {
-    format!("heights_perturbed({moments}, mean, s, noise_mean, n)")
 }
 
 /// What a step error gains over a tilted surface, for directions that win [`RISE`] over it and mean slopes up to 1:
