@@ -21,8 +21,8 @@ use prefilter::reference::normal::cumulative as normal_cumulative;
 use prefilter::reference::slopes::standard::{cumulative, moments};
 
 use super::field::Spectrum;
-use super::figure::{over_seeds, Figure};
-use super::sight::{Sight, OVERHEAD};
+use super::figure::Figure;
+use super::sight::Sight;
 use super::study::Extent;
 
 /// What a direction sees of the slopes towards it, in deviations of all slopes; negative ones face the viewer.
@@ -49,18 +49,7 @@ fn edge(index: usize) -> f64 {
 
 /// Looks at the slopes of fields of a spectrum with each visibility parameter, cot θ / (√2 σ_s).
 pub fn sloped(spectrum: Spectrum, extent: Extent, parameters: &[f64], done: &(dyn Fn() + Sync)) -> Vec<Sloped> {
-    let sights: Vec<Vec<Sight>> = over_seeds(extent.seeds, |seed| {
-        let views = extent.views(spectrum, seed);
-        let all = parameters.iter().chain([&OVERHEAD]).map(|parameter| {
-            views.iter().fold(Sight::default(), |mut sum, field| {
-                sum.add(&Sight::along_rows(field, *parameter));
-                sum
-            })
-        });
-        let all = all.collect();
-        done();
-        all
-    });
+    let sights = extent.sights(spectrum, parameters, done);
     parameters.iter().enumerate().map(|(index, parameter)| judge(&sights, index, SQRT_2 * parameter)).collect()
 }
 

@@ -28,6 +28,22 @@ impl Extent {
         let [third, fourth] = [first.turned(), second.turned()];
         [first, second, third, fourth]
     }
+
+    /// What each visibility parameter sees of the fields, and what is seen overhead behind them: a list a seed.
+    pub(super) fn sights(self, spectrum: Spectrum, parameters: &[f64], done: &(dyn Fn() + Sync)) -> Vec<Vec<Sight>> {
+        over_seeds(self.seeds, |seed| {
+            let views = self.views(spectrum, seed);
+            let all = parameters.iter().chain([&OVERHEAD]).map(|parameter| {
+                views.iter().fold(Sight::default(), |mut sum, field| {
+                    sum.add(&Sight::along_rows(field, *parameter));
+                    sum
+                })
+            });
+            let all = all.collect();
+            done();
+            all
+        })
+    }
 }
 
 /// What a direction sees of a kind of field.
@@ -59,18 +75,7 @@ pub struct Seen {
 
 /// Looks at fields of a spectrum with each visibility parameter.
 pub fn seen(spectrum: Spectrum, extent: Extent, parameters: &[f64], done: &(dyn Fn() + Sync)) -> Vec<Seen> {
-    let sights: Vec<Vec<Sight>> = over_seeds(extent.seeds, |seed| {
-        let views = extent.views(spectrum, seed);
-        let all = parameters.iter().chain([&OVERHEAD]).map(|parameter| {
-            views.iter().fold(Sight::default(), |mut sum, field| {
-                sum.add(&Sight::along_rows(field, *parameter));
-                sum
-            })
-        });
-        let all = all.collect();
-        done();
-        all
-    });
+    let sights = extent.sights(spectrum, parameters, done);
     let judged = parameters.iter().enumerate().map(|(index, parameter)| judge(&sights, index, *parameter));
     judged.collect()
 }
