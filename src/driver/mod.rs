@@ -2,6 +2,7 @@
 
 pub mod moment_mipmap;
 pub mod moments;
+mod pyramid;
 mod slope_grid;
 pub mod slope_moments;
 

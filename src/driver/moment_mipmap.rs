@@ -1,5 +1,6 @@
 //! Pyramids of mean and deviation of an image.
 
+use super::pyramid::Grid;
 use crate::accuracy::Ranges;
 use crate::table::{Format, Level, Sampling, Table};
 use crate::Error;
@@ -48,13 +49,6 @@ const WIDEST: u32 = 16_384;
 /// Largest value: squares of differences stay far inside f32.
 pub(super) const LARGEST: f32 = 1e15;
 
-/// Mean and variance of every texel of a level.
-struct Grid {
-    width: usize,
-    height: usize,
-    moments: Vec<[f64; 2]>,
-}
-
 impl MomentMipmap {
     /// The pyramid of an image given row by row.
     ///
@@ -78,17 +72,7 @@ impl MomentMipmap {
         let points = values.iter().flat_map(|&value| [value, 0.0]).collect();
         let mut levels = vec![Level { width, height, depth: 1, texels: points }];
         let base = Grid::reconstruction(wide, high, values, edge);
-        let mut above: Option<Grid> = None;
-        let (mut w, mut h) = (wide, high);
-        while w > 1 || h > 1 {
-            (w, h) = ((w / 2).max(1), (h / 2).max(1));
-            // Texels that nest in the level above need not go back to the image.
-            let nested = above.take().filter(|grid| grid.width % w == 0 && grid.height % h == 0);
-            let grid = nested.as_ref().unwrap_or(&base).shrunk(w, h);
-            let texels = grid.moments.iter().flat_map(|&[mean, variance]| [mean as f32, variance.sqrt() as f32]);
-            levels.push(Level { width: w as u32, height: h as u32, depth: 1, texels: texels.collect() });
-            above = Some(grid);
-        }
+        levels.extend(base.halved(mixed, |&[mean, variance]| [mean as f32, variance.sqrt() as f32]));
         Ok(Self { levels, values: (least, most) })
     }
 
@@ -166,7 +150,8 @@ impl MomentMipmap {
     }
 }
 
-impl Grid {
+/// Mean and variance of every texel.
+impl Grid<2> {
     /// Moments of the bilinear reconstruction over the area of each texel of the image.
     ///
     /// A texel's area is four quarters, in each of which the reconstruction is c + p x + q y + r x y about the
@@ -197,24 +182,6 @@ impl Grid {
         };
         Self { width, height, moments: (0..width * height).map(texel).collect() }
     }
-
-    /// The same area in fewer texels.
-    fn shrunk(&self, width: usize, height: usize) -> Self {
-        let (columns, rows) = (spans(self.width, width), spans(self.height, height));
-        let mut moments = Vec::with_capacity(width * height);
-        let mut covered = Vec::new();
-        for row in &rows {
-            for column in &columns {
-                covered.clear();
-                for &(y, part) in row {
-                    let texels = &self.moments[y * self.width..][..self.width];
-                    covered.extend(column.iter().map(|&(x, share)| (part * share, texels[x])));
-                }
-                moments.push(mixed(&covered));
-            }
-        }
-        Self { width, height, moments }
-    }
 }
 
 /// Whether a side is one of an image's, and every texel has its value.
@@ -234,18 +201,6 @@ pub(super) fn check_size(width: u32, height: u32, count: usize) -> Result<(), Er
         return Err(Error::Size { what: "the image's number of values".into(), count, allowed });
     }
     Ok(())
-}
-
-/// Which of `from` texels each of `to` texels covers along one axis, and the share of its length: shares sum to one.
-pub(super) fn spans(from: usize, to: usize) -> Vec<Vec<(usize, f64)>> {
-    // In units of 1/(from · to) of the side every edge is an integer.
-    let span = |index: usize| {
-        let (low, high) = (index * from, (index + 1) * from);
-        let texels = low / to..high.div_ceil(to);
-        let length = |texel: usize| high.min((texel + 1) * to) - low.max(texel * to);
-        texels.map(|texel| (texel, length(texel) as f64 / from as f64)).collect()
-    };
-    (0..to).map(span).collect()
 }
 
 /// Mean and variance of a mixture, by the law of total variance; weights sum to one.

@@ -1,21 +1,15 @@
 //! Mean and covariance of slopes over the texels of an image.
 
-use super::moment_mipmap::{spans, Edge};
+use super::moment_mipmap::Edge;
+use super::pyramid::Grid;
 
 /// Mean x and y and covariance xx, xy, yy of slopes.
 pub(super) type Moments = [f64; 5];
 
-/// Moments of every texel of a level.
-pub(super) struct Grid {
-    pub width: usize,
-    pub height: usize,
-    pub moments: Vec<Moments>,
-}
-
 /// The quarters of a texel: the steps to the neighbors across and down.
 const QUARTERS: [[i64; 2]; 4] = [[-1, -1], [1, -1], [-1, 1], [1, 1]];
 
-impl Grid {
+impl Grid<5> {
     /// Moments of the bilinear reconstruction of slopes over the area of each texel.
     ///
     /// In a quarter of a texel a slope is c + a u + b v + d u v, u and v from the texel's center in [0, ½] towards the
@@ -95,28 +89,10 @@ impl Grid {
         };
         Self { width, height, moments: (0..width * height).map(texel).collect() }
     }
-
-    /// The same area in fewer texels.
-    pub fn shrunk(&self, width: usize, height: usize) -> Self {
-        let (columns, rows) = (spans(self.width, width), spans(self.height, height));
-        let mut moments = Vec::with_capacity(width * height);
-        let mut covered = Vec::new();
-        for row in &rows {
-            for column in &columns {
-                covered.clear();
-                for &(y, part) in row {
-                    let texels = &self.moments[y * self.width..][..self.width];
-                    covered.extend(column.iter().map(|&(x, share)| (part * share, texels[x])));
-                }
-                moments.push(mixed(&covered));
-            }
-        }
-        Self { width, height, moments }
-    }
 }
 
 /// Moments of a mixture, by the law of total covariance; weights sum to one.
-fn mixed(parts: &[(f64, Moments)]) -> Moments {
+pub(super) fn mixed(parts: &[(f64, Moments)]) -> Moments {
     let Some(&(_, [x, y, ..])) = parts.first() else { return [0.0; 5] };
     let mut mean = [x, y];
     for (weight, part) in parts {

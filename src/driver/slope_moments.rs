@@ -1,7 +1,8 @@
 //! Pyramids of mean slope and covariance of slopes, from maps of normals, of heights or of slopes.
 
 use super::moment_mipmap::{check_size, Edge, LARGEST};
-use super::slope_grid::{Grid, Moments};
+use super::pyramid::Grid;
+use super::slope_grid::{mixed, Moments};
 use crate::table::{Format, Level, Sampling, Table};
 use crate::Error;
 
@@ -111,20 +112,10 @@ impl SlopeMipmap {
         Ok(Self::new(&points, grid))
     }
 
-    fn new(points: &[[f32; 2]], base: Grid) -> Self {
-        let (mut w, mut h) = (base.width, base.height);
-        let level = |w: usize, h: usize, texels| Level { width: w as u32, height: h as u32, depth: 1, texels };
-        let points = points.iter().flat_map(|&[x, y]| [x, y, 0.0, 0.0, 0.0]);
-        let mut levels = vec![level(w, h, points.collect())];
-        let mut above: Option<Grid> = None;
-        while w > 1 || h > 1 {
-            (w, h) = ((w / 2).max(1), (h / 2).max(1));
-            // Texels that nest in the level above need not go back to the map.
-            let nested = above.take().filter(|grid| grid.width % w == 0 && grid.height % h == 0);
-            let grid = nested.as_ref().unwrap_or(&base).shrunk(w, h);
-            levels.push(level(w, h, grid.moments.iter().flat_map(factored).collect()));
-            above = Some(grid);
-        }
+    fn new(points: &[[f32; 2]], base: Grid<5>) -> Self {
+        let texels = points.iter().flat_map(|&[x, y]| [x, y, 0.0, 0.0, 0.0]).collect();
+        let mut levels = vec![Level { width: base.width as u32, height: base.height as u32, depth: 1, texels }];
+        levels.extend(base.halved(mixed, factored));
         Self { levels }
     }
 
