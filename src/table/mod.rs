@@ -2,6 +2,7 @@
 
 pub(crate) mod bake;
 pub mod grid;
+mod lattice;
 pub(crate) mod rice;
 pub(crate) mod strip;
 

@@ -1,21 +1,15 @@
 //! Tables of a map's means over distributions of Rice, baked with a polynomial for the Bessel function and judged by
 //! quadrature over angles.
 
-use super::bake::{filtered, half_rounded, rows};
-use super::grid::{Axis, Spacing};
-use super::{Format, Level, Sampling, Table};
+use super::grid::Axis;
+use super::lattice::{Judged, Lattice, FLAT};
+use super::Table;
 use crate::reference::quadrature::integrate;
 use crate::reference::steepness::rice_mean;
 use crate::reference::texture::PiecewiseLinear;
 
 /// Beyond this many deviations lies less than 1e-9 of a distribution.
 const FAR: f64 = 6.0;
-
-/// Parts of the judged centers, so that those beyond the axis are judged too.
-const EVEN: u32 = 64;
-
-/// The only slice.
-const FLAT: Axis = Axis { low: 0.0, high: 1.0, count: 1, spacing: Spacing::Linear };
 
 /// A map, the axes of its table, and what the table is judged over.
 #[derive(Clone, Copy)]
@@ -33,47 +27,15 @@ pub(crate) struct Plan<'a> {
 }
 
 impl Plan<'_> {
-    /// The table, with its error as measured.
+    /// The table, with its error as measured: by quadrature over angles where it is worst.
     pub(crate) fn table(self, name: &str) -> Table {
-        let texels = rows(self.deviations.count, |row| {
-            let deviation = self.deviations.value(row as f64);
-            let texel = |column: usize| mean(self.map, self.centers.value(column as f64).abs(), deviation);
-            (0..self.centers.count).flat_map(|column| texel(column).map(half_rounded)).collect()
-        });
-        let error = self.judge(&texels);
-        let [width, height] = [self.centers.count, self.deviations.count].map(|count| count as u32);
-        Table {
-            name: name.to_owned(),
-            format: Format::Rgba16Float,
-            sampling: Sampling::Filtered,
-            levels: vec![Level { width, height, depth: 1, texels }],
-            error,
-        }
-    }
-
-    /// The largest difference between a filtered read and the mean: between rows, on the last one and at the floor,
-    /// over the centers of all cells, the map's knots and even places. The quadrature over angles has the last word on
-    /// the worst place of each line.
-    fn judge(self, texels: &[f32]) -> f32 {
-        let cells = (0..self.centers.count - 1).map(|column| self.centers.value(column as f64 + 0.5));
-        let knots = self.map.knots.iter().map(|knot| knot.0);
-        let even = (0..=EVEN).map(|index| self.highest * f64::from(index) / f64::from(EVEN));
-        let places = cells.chain(knots).chain(even).filter(|at| (0.0..=self.highest).contains(at));
-        let places: Vec<f64> = places.collect();
-        let between = (0..self.deviations.count - 1).map(|row| self.deviations.value(row as f64 + 0.5));
-        let lines = between.chain([self.floor, self.deviations.high]).filter(|&line| line >= self.floor);
-        let lines: Vec<f64> = lines.collect();
-        let error = |at: f64, line: f64, truth: [f64; 4]| {
-            let read = filtered(texels, [self.centers, self.deviations, FLAT], [at, line, 0.0]);
-            read.iter().zip(truth).map(|(read, truth)| (read - truth).abs()).fold(0.0, f64::max)
-        };
-        let worst = |line: usize| {
-            let line = lines[line];
-            let errors = places.iter().map(|&at| (error(at, line, mean(self.map, at, line)), at));
-            let (_, at) = errors.fold((0.0, 0.0), |worst, next| if next.0 > worst.0 { next } else { worst });
-            vec![error(at, line, rice_mean(self.map, at, line)) as f32]
-        };
-        rows(lines.len(), worst).into_iter().fold(0.0, f32::max)
+        let lattice = Lattice([self.centers, self.deviations, FLAT]);
+        let texels = lattice.texels(|_, center, deviation| mean(self.map, center.abs(), deviation));
+        let judged = Judged { low: 0.0, high: self.highest, least: self.floor, third: 0.0 };
+        let near = |at: f64, line: f64| mean(self.map, at, line);
+        let truth = |at: f64, line: f64| rice_mean(self.map, at, line);
+        let error = lattice.error(&texels, self.map, judged, near, truth);
+        lattice.table(name, texels, error)
     }
 }
 

@@ -1,0 +1,126 @@
+//! The nodes of a table: filled in parallel, read as a sampler does, and judged between.
+
+use super::grid::{Axis, Spacing};
+use super::{Format, Level, Sampling, Table};
+use crate::reference::texture::PiecewiseLinear;
+
+/// The third axis of a flat table.
+pub(super) const FLAT: Axis = Axis { low: 0.0, high: 1.0, count: 1, spacing: Spacing::Linear };
+
+/// Parts of the judged columns, so that those beyond the axis are judged too.
+const EVEN: u32 = 64;
+
+/// The axes of a table's columns, rows and slices.
+#[derive(Clone, Copy)]
+pub(super) struct Lattice(pub [Axis; 3]);
+
+/// Where a table is judged: columns from `low` to `high`, those beyond the axis reading the border, rows from `least`
+/// on, at one place of the third axis.
+#[derive(Clone, Copy)]
+pub(super) struct Judged {
+    pub low: f64,
+    pub high: f64,
+    pub least: f64,
+    pub third: f64,
+}
+
+impl Lattice {
+    /// The colors at the nodes, as halves, from a slice's number, a column's value and a row's.
+    pub(super) fn texels(self, color: impl Fn(usize, f64, f64) -> [f64; 4] + Sync) -> Vec<f32> {
+        let Self([columns, lines, slices]) = self;
+        let slice = |slice: usize| {
+            rows(lines.count, |row| {
+                let line = lines.value(row as f64);
+                let texel = |column: usize| color(slice, columns.value(column as f64), line).map(half_rounded);
+                (0..columns.count).flat_map(texel).collect()
+            })
+        };
+        (0..slices.count).flat_map(slice).collect()
+    }
+
+    /// The table of the texels.
+    pub(super) fn table(self, name: &str, texels: Vec<f32>, error: f32) -> Table {
+        let [width, height, depth] = self.0.map(|axis| axis.count as u32);
+        Table {
+            name: name.to_owned(),
+            format: Format::Rgba16Float,
+            sampling: Sampling::Filtered,
+            levels: vec![Level { width, height, depth, texels }],
+            error,
+        }
+    }
+
+    /// The largest difference between a filtered read and the color: on the first and the last row, between rows and on
+    /// the least, over the centers of all cells of columns, the map's knots, where it bends, and even places. `near`
+    /// finds the worst place of each line, on which `truth` has the last word.
+    pub(super) fn error(
+        self,
+        texels: &[f32],
+        map: &PiecewiseLinear,
+        judged: Judged,
+        near: impl Fn(f64, f64) -> [f64; 4] + Sync,
+        truth: impl Fn(f64, f64) -> [f64; 4] + Sync,
+    ) -> f32 {
+        let (Self([columns, deviations, _]), Judged { low, high, least, third }) = (self, judged);
+        let centers = (0..columns.count - 1).map(|column| columns.value(column as f64 + 0.5));
+        let knots = map.knots.iter().map(|knot| knot.0);
+        let even = (0..=EVEN).map(|index| low + (high - low) * f64::from(index) / f64::from(EVEN));
+        let places: Vec<f64> = centers.chain(knots).chain(even).filter(|at| (low..=high).contains(at)).collect();
+        let between = (0..deviations.count - 1).map(|row| deviations.value(row as f64 + 0.5));
+        let ends = [least, deviations.value(0.0), deviations.high];
+        let lines: Vec<f64> = between.chain(ends).filter(|&line| line >= least).collect();
+        let error = |at: f64, line: f64, truth: [f64; 4]| {
+            let read = self.filtered(texels, [at, line, third]);
+            read.iter().zip(truth).map(|(read, truth)| (read - truth).abs()).fold(0.0, f64::max)
+        };
+        let worst = |line: usize| {
+            let line = lines[line];
+            let errors = places.iter().map(|&at| (error(at, line, near(at, line)), at));
+            let (_, at) = errors.fold((0.0, low), |worst, next| if next.0 > worst.0 { next } else { worst });
+            vec![error(at, line, truth(at, line)) as f32]
+        };
+        rows(lines.len(), worst).into_iter().fold(0.0, f32::max)
+    }
+
+    /// What a filtering sampler returns at a column's, a row's and a slice's value.
+    fn filtered(self, texels: &[f32], at: [f64; 3]) -> [f64; 4] {
+        let numbers = [0, 1, 2].map(|axis| self.0[axis].number(at[axis]));
+        let mut sum = [0.0; 4];
+        for corner in 0..8 {
+            let (mut weight, mut index) = (1.0, 0);
+            for axis in (0..3).rev() {
+                let far = (corner >> axis) & 1;
+                let fraction = numbers[axis].fract();
+                weight *= if far == 1 { fraction } else { 1.0 - fraction };
+                index = index * self.0[axis].count + (numbers[axis] as usize + far).min(self.0[axis].count - 1);
+            }
+            for (channel, total) in sum.iter_mut().enumerate() {
+                *total += weight * f64::from(texels[4 * index + channel]);
+            }
+        }
+        sum
+    }
+}
+
+fn half_rounded(value: f64) -> f32 {
+    half::f16::from_f64(value).to_f32()
+}
+
+/// The results of all rows in order, on as many threads as the machine has.
+fn rows(count: usize, row: impl Fn(usize) -> Vec<f32> + Sync) -> Vec<f32> {
+    let threads = std::thread::available_parallelism().map_or(1, |threads| threads.get()).min(count.max(1));
+    let mut results: Vec<Vec<f32>> = vec![Vec::new(); count];
+    let share = count.div_ceil(threads).max(1);
+    std::thread::scope(|scope| {
+        for (first, chunk) in results.chunks_mut(share).enumerate() {
+            let row = &row;
+            let start = first * share;
+            scope.spawn(move || {
+                for (offset, result) in chunk.iter_mut().enumerate() {
+                    *result = row(start + offset);
+                }
+            });
+        }
+    });
+    results.concat()
+}
