@@ -6,23 +6,12 @@ use prefilter::table::{Format, Sampling, Table};
 use prefilter::{Edge, MomentMipmap};
 use spirv_tests::kernel::Function;
 
-use crate::{photograph, random};
+use crate::{photograph, points, random};
 
 fn read(device: &Device, texture: &Texture, points: &[Vec<f64>]) -> Vec<Vec<f64>> {
     let shelf = Function::shelf().unwrap();
     let read = shelf.iter().find(|function| function.name == "moments_read").unwrap();
     read.results(device, &[texture], points).unwrap()
-}
-
-/// Positions in [−1, 2] with round covariances of deviations from 1/32 to 64 texels.
-fn points(count: usize) -> Vec<Vec<f64>> {
-    let mut next = random(7);
-    let point = |_| {
-        let variance = 4f64.powf(-5.0 + 11.0 * next());
-        let numbers = [3.0 * next() - 1.0, 3.0 * next() - 1.0, variance, 0.0, variance];
-        numbers.map(|number| f64::from(number as f32)).to_vec()
-    };
-    (0..count).map(point).collect()
 }
 
 #[test]

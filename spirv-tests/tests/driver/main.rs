@@ -31,3 +31,14 @@ fn photograph(name: &str, beyond: Beyond) -> (Image, Vec<f32>) {
     let values = stored.iter().map(|&value| f64::from(value)).collect();
     (Image { width, height, values, beyond }, stored)
 }
+
+/// Positions in [−1, 2] with round footprints of deviations from 1/32 to 64 texels.
+fn points(count: usize) -> Vec<Vec<f64>> {
+    let mut next = random(7);
+    let point = |_| {
+        let variance = 4f64.powf(-5.0 + 11.0 * next());
+        let numbers = [3.0 * next() - 1.0, 3.0 * next() - 1.0, variance, 0.0, variance];
+        numbers.map(|number| f64::from(number as f32)).to_vec()
+    };
+    (0..count).map(point).collect()
+}

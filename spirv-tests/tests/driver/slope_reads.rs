@@ -6,7 +6,7 @@ use prefilter::table::Format;
 use prefilter::{Edge, SlopeMipmap};
 use spirv_tests::kernel::Function;
 
-use crate::{photograph, random};
+use crate::{photograph, points, random};
 
 struct Reader {
     device: Device,
@@ -26,17 +26,6 @@ impl Reader {
         let textures: Vec<Texture> = tables.iter().map(|table| self.device.upload(table, address).unwrap()).collect();
         self.read.results(&self.device, &textures.iter().collect::<Vec<_>>(), points).unwrap()
     }
-}
-
-/// Positions in [−1, 2] with round footprints of deviations from 1/32 to 64 texels.
-fn points(count: usize) -> Vec<Vec<f64>> {
-    let mut next = random(7);
-    let point = |_| {
-        let variance = 4f64.powf(-5.0 + 11.0 * next());
-        let numbers = [3.0 * next() - 1.0, 3.0 * next() - 1.0, variance, 0.0, variance];
-        numbers.map(|number| f64::from(number as f32)).to_vec()
-    };
-    (0..count).map(point).collect()
 }
 
 #[test]
