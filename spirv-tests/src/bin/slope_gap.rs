@@ -13,24 +13,16 @@ use std::{fs, io};
 /// Measures how far the distribution of visible slopes is from what is in sight of Gaussian height fields.
 #[derive(Parser)]
 struct Arguments {
-    /// Nodes a side of a field.
-    #[arg(long, default_value_t = 2048)]
-    size: usize,
-    /// The grain of the fields in texels.
-    #[arg(long, default_value_t = 32.0)]
-    grain: f64,
-    /// Seeds, of two fields each.
-    #[arg(long, default_value_t = 8)]
-    seeds: usize,
+    #[command(flatten)]
+    extent: Extent,
     /// The folder of `slope_gap.csv`.
     #[arg(long, value_name = "DIR", default_value = "target/gap")]
     out: PathBuf,
 }
 
 fn main() -> io::Result<()> {
-    let Arguments { size, grain, seeds, out } = Arguments::parse();
-    let extent = Extent { size, grain, seeds };
-    let bar = ProgressBar::new((Spectrum::ALL.len() * seeds) as u64);
+    let Arguments { extent, out } = Arguments::parse();
+    let bar = ProgressBar::new((Spectrum::ALL.len() * extent.seeds) as u64);
     if let Ok(style) = ProgressStyle::with_template("{bar:40} {pos}/{len} {msg} {eta} left") {
         bar.set_style(style);
     }

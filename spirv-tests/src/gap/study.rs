@@ -12,13 +12,16 @@ use prefilter::reference::smith::lambda;
 use prefilter::reference::visibility::independence;
 
 /// How much is looked at.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, clap::Args)]
 pub struct Extent {
     /// Nodes a side of a field.
+    #[arg(long, default_value_t = 2048)]
     pub size: usize,
-    /// The grain of the spectrum in texels.
+    /// The grain of the fields in texels.
+    #[arg(long, default_value_t = 32.0)]
     pub grain: f64,
-    /// Seeds, of which each gives two fields, seen along rows and along columns.
+    /// Seeds, of two fields each, seen along rows and along columns.
+    #[arg(long, default_value_t = 8)]
     pub seeds: usize,
 }
 
