@@ -4,6 +4,7 @@ pub mod height;
 pub mod irradiance;
 mod knots;
 pub mod percentile;
+pub(crate) mod shared;
 pub mod slope;
 pub(crate) mod steepness;
 mod terms;

@@ -8,6 +8,7 @@
 //! section 5.2, equation 18.
 
 use super::height::variation;
+use super::shared::{statements, Shared};
 use super::texture::{color_type, Filter};
 use crate::accuracy::Ranges;
 use crate::transfer::color_map::ColorMap;
@@ -87,6 +88,17 @@ pub(crate) fn texture_ranges(tier: SlopeTier, ranges: Ranges) -> Ranges {
     Ranges { mean: (low - beyond, high + beyond), ..ranges }
 }
 
+/// The factor of the covariance and what of the scalar u a tier needs.
+pub(crate) fn shared(tier: SlopeTier) -> Vec<Shared> {
+    let factor = Shared::new("factor", "slopes_factor(view, slope_covariance)");
+    let parameter = Shared::new("parameter", "slopes_parameter(view, mean_slope, factor)");
+    match tier {
+        SlopeTier::Unweighted => Vec::new(),
+        SlopeTier::Gaussian => vec![factor, parameter, Shared::new("moments", "slopes_moments(parameter)")],
+        SlopeTier::Pair => vec![factor, parameter, Shared::new("pair", "slopes_pair(parameter)")],
+    }
+}
+
 /// The filter of a tier over C0: its body calls `NAME_texture` with the `arguments` of C0's tables.
 pub(crate) fn over(
     texture: &Filter,
@@ -98,33 +110,27 @@ pub(crate) fn over(
 ) -> Filter {
     let colored = |of: &str| format!("{name}_texture({of}.x, {of}.y{arguments})");
     let along = |mean: &str, variance: &str| format!("slopes_along(direction, mean_slope, factor, {mean}, {variance})");
-    let factor = "    let factor = slopes_factor(view, slope_covariance);\n    let parameter = \
-                  slopes_parameter(view, mean_slope, factor);\n";
-    let single = format!(
-        "let moments = slopes_moments(parameter);\n    let component = {};\n    return {};\n",
-        along("moments.x", "moments.y"),
-        colored("component")
-    );
     let body = match tier {
         SlopeTier::Unweighted => format!(
             "    let variance = smith_variance(direction, slope_covariance);\n    let component = \
              vec2f(dot(direction, mean_slope), sqrt(max(variance, 0.0)));\n    return {};\n",
             colored("component")
         ),
-        SlopeTier::Gaussian => format!("{factor}    {single}"),
+        SlopeTier::Gaussian => {
+            format!("    let component = {};\n    return {};\n", along("moments.x", "moments.y"), colored("component"))
+        }
         SlopeTier::Pair => format!(
-            "{factor}    if parameter > slopes_single {{
-        {}    }} else {{
-        let pair = slopes_pair(parameter);
-        let low = {};
+            "    let low = {};
+    var c = {};
+    if parameter < slopes_single {{
         let high = {};
-        return 0.5 * ({} + {});
+        c = 0.5 * (c + {});
     }}
+    return c;
 ",
-            single.replace("\n    ", "\n        "),
             along("pair.x", "pair.y"),
-            along("pair.z", "pair.w"),
             colored("low"),
+            along("pair.z", "pair.w"),
             colored("high")
         ),
     };
@@ -142,12 +148,13 @@ pub(crate) fn glue(name: &str, map: &ColorMap, tier: SlopeTier, label: &str, par
 /// is along (-s.x, -s.y, 1): with d = -t.xy the component is n · t / n.z - t.z, how much it faces a direction t.
 /// Slopes have a mean and a covariance, xx, xy, yy.{}
 fn {name}_slope(mean_slope: vec2f, slope_covariance: vec3f, {}direction: vec2f{parameters}) -> {} {{
-{body}}}
+{}{body}}}
 ",
         if weighted { "the slopes that are seen" } else { "all slopes" },
         if weighted { VIEWED } else { "" },
         if weighted { "view: vec3f, " } else { "" },
-        color_type(map)
+        color_type(map),
+        statements(&shared(tier))
     )
 }
 

@@ -2,6 +2,7 @@
 //! which one has the mean and the variance of |s|² over the slopes that a view sees.
 
 use super::height::variation;
+use super::shared::{statements, Shared};
 use super::texture::{bends, color_type, number, swizzle, Filter};
 use crate::accuracy::{Bound, Ranges};
 use crate::table::grid::{Axis, Spacing};
@@ -45,9 +46,7 @@ pub(crate) fn filter(map: &ColorMap, colors: Colors, ranges: Ranges) -> Filter {
     let reference = map.reference();
     let table = Plan { map: &reference, centers, deviations, highest, floor: floor(ranges).into() }.table("table");
     let body = format!(
-        "    let square = steepness_moments(view, mean_slope, slope_covariance);
-    let rice = steepness_rice(square.x, square.y);
-    return texture_table(rice.x, rice.y, {}, {}, {}, table, table_sampler){};
+        "    return texture_table(rice.x, rice.y, {}, {}, {}, table, table_sampler){};
 ",
         number(centers.low as f32),
         number(centers.high as f32),
@@ -56,6 +55,13 @@ pub(crate) fn filter(map: &ColorMap, colors: Colors, ranges: Ranges) -> Filter {
     );
     let bound = 2.0 * f64::from(table.error) + STEP * variation(map);
     Filter { body, bound: Bound::Estimated(bound as f32), tables: vec![table], trips: 1 }
+}
+
+/// The distribution of Rice of the lengths that are seen.
+pub(crate) fn shared() -> Vec<Shared> {
+    let square = "steepness_moments(view, mean_slope, slope_covariance)";
+    let rice = "steepness_rice(square.x, square.y)";
+    vec![Shared::new("square", square), Shared::new("rice", rice)]
 }
 
 /// `NAME_steepness` with a body.
@@ -70,8 +76,9 @@ pub(crate) fn glue(name: &str, map: &ColorMap, parameters: &str, body: &str) -> 
 /// mesh with a map of normals. Below the horizon of the mean surface the color is that of the slopes that rise above
 /// it.
 fn {name}_steepness(mean_slope: vec2f, slope_covariance: vec3f, view: vec3f{parameters}) -> {} {{
-{body}}}
+{}{body}}}
 ",
-        color_type(map)
+        color_type(map),
+        statements(&shared())
     )
 }

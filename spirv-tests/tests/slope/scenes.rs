@@ -26,7 +26,7 @@ fn what_is_off_leaves_no_trace() -> Outcome {
     let (one, text) = signature(SlopeTier::Gaussian)?;
     assert!(one == viewed && !text.contains("slopes_pair") && !text.contains("slopes_area"), "{text}");
     let (two, text) = signature(SlopeTier::Pair)?;
-    assert!(two == viewed && text.contains("if parameter > slopes_single") && !text.contains("slopes_skewness"));
+    assert!(two == viewed && text.contains("if parameter < slopes_single") && !text.contains("slopes_skewness"));
     // The whole chain of a tier without tables.
     assert!(text.lines().filter(|line| !line.trim_start().starts_with("//")).count() <= 120, "{text}");
     Ok(())

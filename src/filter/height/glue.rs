@@ -1,7 +1,8 @@
 //! The functions of a scene of heights: their parameters, what they say, and what they call.
 
-use super::surface::{lambdas, Microsurface, RISE};
+use super::surface::{shared, Microsurface, RISE};
 use super::tier::HeightTier;
+use crate::filter::shared::statements;
 use crate::filter::texture::{color_type, Filter};
 use crate::transfer::color_map::ColorMap;
 
@@ -28,7 +29,8 @@ impl Glue<'_> {
     pub(crate) fn text(&self, filter: &Filter) -> String {
         let Self { name, surface, .. } = *self;
         let mut text = self.height(&filter.body);
-        let lambdas = lambdas(self.tier, surface);
+        let shared = shared(self.tier, surface);
+        let lambdas = statements(&shared);
         let within = |hotspot| within(self.tier, hotspot, surface);
         let slopes = slopes(surface);
         if surface.shadowing {
@@ -43,13 +45,12 @@ fn {name}_visibility({slopes}, view: vec3f, light: vec3f) -> f32 {{
             );
         }
         if surface.masking {
-            let seen = lambdas.lines().next().unwrap_or_default();
+            let seen = statements(&shared[..1]);
             text += &format!(
                 "
 /// Share of `{name}` that the view sees: 0 below the horizon. {}
 fn {name}_masking({slopes}, view: vec3f) -> f32 {{
-{seen}
-    return visibility_masking(seen);
+{seen}    return visibility_masking(seen);
 }}
 ",
                 within(false)
@@ -77,7 +78,7 @@ fn {name}_height({}{}{}, view: vec3f{light}{parameters}) -> {} {{
             if surface.perturbed { "noise_mean: f32, noise_deviation: f32, " } else { "" },
             slopes(surface),
             color_type(map),
-            lambdas(tier, surface)
+            statements(&shared(tier, surface))
         )
     }
 }

@@ -2,6 +2,7 @@
 
 use super::tier::{self, HeightTier};
 use crate::accuracy::Ranges;
+use crate::filter::shared::Shared;
 use crate::filter::texture::number;
 
 /// What hides parts of a rough surface, and what the module says of it; what is off leaves no trace in the text.
@@ -34,8 +35,8 @@ impl Default for Microsurface {
     }
 }
 
-/// The statements that name `seen` and `lit`, the Λ of the view and what the light adds to it.
-pub(crate) fn lambdas(tier: HeightTier, surface: Microsurface) -> String {
+/// `seen` and `lit`, the Λ of the view and what the light adds to it.
+pub(crate) fn shared(tier: HeightTier, surface: Microsurface) -> Vec<Shared> {
     let function = if tier == HeightTier::Exact { "smith_lambda" } else { "smith_lambda_fast" };
     let of = |direction: &str| {
         if surface.mean_slope {
@@ -44,17 +45,14 @@ pub(crate) fn lambdas(tier: HeightTier, surface: Microsurface) -> String {
             format!("{function}(smith_parameter_level({direction}, slope_covariance))")
         }
     };
-    let mut text = format!("    let seen = {};\n", of("view"));
-    text += &match (surface.shadowing, surface.hotspot) {
-        (false, _) => String::new(),
-        (true, false) => format!("    let lit = {};\n", of("light")),
-        (true, true) => format!(
-            "    let apart = visibility_independence(view, light);\n    let lit = visibility_correlated(seen, {}, \
-             apart);\n",
-            of("light")
-        ),
-    };
-    text
+    let mut shared = vec![Shared::new("seen", of("view"))];
+    if surface.shadowing && surface.hotspot {
+        shared.push(Shared::new("apart", "visibility_independence(view, light)"));
+        shared.push(Shared::new("lit", format!("visibility_correlated(seen, {}, apart)", of("light"))));
+    } else if surface.shadowing {
+        shared.push(Shared::new("lit", of("light")));
+    }
+    shared
 }
 
 /// The statement that names `visible`: mean, deviation and maybe skewness of the visible heights, from an expression of
