@@ -116,6 +116,7 @@ fn slope_moments_read(
     let own = fine.covariance * f32(level > 0); // at level 0 the slope itself, a single value
     let between = weight * (1.0 - weight) * vec3f(apart.x * apart.x, apart.x * apart.y, apart.y * apart.y);
     let sum = mix(own, coarse.covariance, weight) + between;
-    let most = 0.9999995 * sqrt(max(sum.x, 0.0)) * sqrt(max(sum.z, 0.0));
+    // Subnormal variances go along with nothing: their product has no digits.
+    let most = max(0.9999995 * sqrt(max(sum.x, 0.0)) * sqrt(max(sum.z, 0.0)) - 1.2e-38, 0.0);
     return slope_moments(fine.mean + weight * apart, vec3f(sum.x, clamp(sum.y, -most, most), sum.z));
 }

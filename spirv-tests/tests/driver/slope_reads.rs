@@ -4,7 +4,9 @@ use prefilter::gpu::{Address, Device, Texture};
 use prefilter::reference::moments::Beyond;
 use prefilter::table::Format;
 use prefilter::{Edge, SlopeMipmap};
+use spirv_tests::any;
 use spirv_tests::kernel::Function;
+use spirv_tests::random::Random;
 
 use crate::{photograph, points, random};
 
@@ -111,23 +113,42 @@ fn seams_of_repeated_maps_read_like_any_other_place() {
     assert!(points.len() > 5000 && apart <= 2.0 * 4.0 * 2f64.powi(-19), "{apart:e}");
 }
 
+/// Positions in the map and far from it, footprints of any size and shape.
+fn any_points(random: &mut Random, count: usize) -> Vec<Vec<f64>> {
+    let point = |random: &mut Random| {
+        let place = random.pick([1.0, 3.0, 1e5]);
+        let position = [0; 2].map(|_| f64::from((place * (2.0 * random.unit() - 1.0)) as f32));
+        [&position[..], &any::covariance(random)].concat()
+    };
+    (0..count).map(|_| point(random)).collect()
+}
+
 #[test]
-fn covariances_are_positive_semi_definite_whatever_the_map() {
+fn covariances_are_finite_and_positive_semi_definite_whatever_the_map() {
+    const BATCH: usize = 10_000;
     let reader = Reader::new();
     let mut next = random(3);
+    let mut random = Random::new(17);
+    let mut count = 0;
     for [x, y] in [[1.0, 0.0], [0.6, 0.8], [1e-3, -1.0], [1.0, 1e-6], [200.0, -300.0], [0.0, 0.0]] {
         for noise in [0.0, 1e-4] {
             let mut slope = |at: f64| [at * x + noise * next(), at * y].map(|value| value as f32);
-            let mut line = random(4);
+            let mut line = crate::random(4);
             let slopes: Vec<[f32; 2]> = (0..91).map(|_| line() - 0.5).map(&mut slope).collect();
             let pyramid = SlopeMipmap::from_slopes(13, 7, &slopes, Edge::Repeat).unwrap();
             for format in [Format::Rgba32Float, Format::Rgba16Float] {
-                for read in reader.read(&pyramid, format, Address::Repeat, &points(10_000)) {
-                    let [xx, xy, yy] = [read[2], read[3], read[4]];
-                    assert!(read.iter().all(|value| value.is_finite()) && xx >= 0.0 && yy >= 0.0, "{read:?}");
-                    assert!(xy * xy <= xx * yy, "{x} {y} {noise} {format:?}: {read:?}");
+                for _ in 0..any::inputs(24 * BATCH).div_ceil(24 * BATCH) {
+                    let points = [any_points(&mut random, BATCH / 2), points(BATCH / 2)].concat();
+                    for (point, read) in points.iter().zip(reader.read(&pyramid, format, Address::Repeat, &points)) {
+                        let [xx, xy, yy] = [read[2], read[3], read[4]];
+                        let finite = read.iter().all(|value| value.is_finite());
+                        assert!(finite && xx >= 0.0 && yy >= 0.0, "{point:?}: {read:?}");
+                        assert!(xy * xy <= xx * yy, "{x} {y} {noise} {format:?} {point:?}: {read:?}");
+                        count += 1;
+                    }
                 }
             }
         }
     }
+    assert!(count >= any::inputs(24 * BATCH), "{count}");
 }
