@@ -235,8 +235,9 @@ impl Scene {
         Self { ranges: Some(ranges), ..self }
     }
 
-    /// Where mean and deviation come from. Exports `NAME_color(position, dpdx, dpdy, …)` besides `NAME_texture` or
-    /// `NAME_height`, whose slopes, view and light it takes behind the derivatives.
+    /// Where the filter's statistics come from: those of values and heights by [`Driver::Moments`], of slopes by
+    /// [`Driver::SlopeMoments`]. Exports `NAME_color(position, dpdx, dpdy, …)` besides the filter, which takes behind
+    /// the derivatives what the filter does behind its statistics, then the driver's textures, then the filter's.
     ///
     /// ```
     /// use prefilter::{ColorMap, Driver, Moments, Scene, Taps};

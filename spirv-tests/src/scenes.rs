@@ -2,7 +2,7 @@
 
 use prefilter::{
     Accuracy, ColorMap, Colors, Driver, HeightTier, Irradiance, IrradianceTier, Kernel, Microsurface, Moments, Pixel,
-    Ranges, Scene, SlopeTier, Taps, Tier,
+    Ranges, Scene, SlopeMoments, SlopeTier, Taps, Tier,
 };
 
 use crate::maps::{named, random};
@@ -14,7 +14,7 @@ type Result<T> = std::result::Result<T, Box<dyn std::error::Error + Send + Sync>
 /// # Errors
 /// None that the tests have seen: the maps are fixed.
 pub fn all() -> Result<Vec<(&'static str, Scene)>> {
-    Ok([textures()?, heights()?, slopes()?, steepnesses()?, irradiances()?].concat())
+    Ok([textures()?, heights()?, slopes()?, steepnesses()?, irradiances()?, driven_slopes()?].concat())
 }
 
 /// The scenes of values.
@@ -123,6 +123,26 @@ pub fn steepnesses() -> Result<Vec<(&'static str, Scene)>> {
     ])?;
     let cliff = || Scene::new("cliff").steepness(cliff.clone());
     Ok(vec![("steepness_default", cliff()), ("steepness_dynamic", cliff().colors(Colors::Dynamic))])
+}
+
+/// The scenes of slopes from a map's pyramid.
+///
+/// # Errors
+/// As [`all`].
+pub fn driven_slopes() -> Result<Vec<(&'static str, Scene)>> {
+    let sand = ColorMap::gradient([(-0.5, [0.31, 0.22, 0.12]), (0.1, [0.78, 0.63, 0.41]), (0.5, [0.93, 0.84, 0.68])])?;
+    let dune = |tier| Scene::new("dune").slope(sand.clone()).slope_tier(tier).tier(FAST);
+    let driven = |taps| Driver::SlopeMoments(SlopeMoments { taps, ..SlopeMoments::default() });
+    let cliff = ColorMap::gradient([(0.4, [0.22, 0.31, 0.09]), (0.7, [0.46, 0.41, 0.36])])?;
+    let sky = Irradiance::from_harmonics([[0.9, 1.1, 1.4]; 9])?;
+    let hill = Scene::new("hill").irradiance(sky).colors(Colors::Dynamic);
+    Ok(vec![
+        ("slope_driven", dune(SlopeTier::Gaussian).driver(driven(Taps::One))),
+        ("slope_driven_by_eight_taps", dune(SlopeTier::Pair).driver(driven(Taps::Eight))),
+        ("slope_driven_unweighted", dune(SlopeTier::Unweighted).driver(driven(Taps::Two))),
+        ("steepness_driven", Scene::new("cliff").steepness(cliff).driver(driven(Taps::Four))),
+        ("irradiance_driven", hill.irradiance_tier(IrradianceTier::Points).driver(driven(Taps::Two))),
+    ])
 }
 
 const EXACT: Tier = Tier::ClosedForm(Kernel::Exact);

@@ -1,22 +1,27 @@
-//! What a footprint knows of the function that drives a material: its mean and deviation there.
+//! What a footprint knows of the function that drives a material: its mean and deviation there, or those of its slopes.
 
 pub mod moment_mipmap;
 pub mod moments;
 mod pyramid;
 mod slope_grid;
+pub mod slope_mipmap;
 pub mod slope_moments;
+pub mod taps;
 
 use moments::Moments;
+use slope_moments::SlopeMoments;
 
 use crate::Error;
 
-/// Where a scene's mean and deviation come from; a scene without one takes them as arguments.
+/// Where a scene's statistics come from; a scene without one takes them as arguments.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum Driver {
-    /// A tabulated function: an image.
+    /// Mean and deviation of a tabulated function, an image: for values and heights.
     Moments(Moments),
+    /// Mean and covariance of the slopes of a map of normals or heights: for slopes, steepness and irradiance.
+    SlopeMoments(SlopeMoments),
 }
 
 impl Driver {
@@ -26,7 +31,16 @@ impl Driver {
     /// [`Error::Value`] for a number outside its range.
     pub(crate) fn check(&self) -> Result<(), Error> {
         match self {
-            Self::Moments(moments) => moments.check(),
+            Self::Moments(moments) => moments.pixel.check(),
+            Self::SlopeMoments(moments) => moments.pixel.check(),
+        }
+    }
+
+    /// The statistics that it gives a filter, with its name.
+    pub(crate) fn gives(&self) -> &'static str {
+        match self {
+            Self::Moments(_) => "mean and deviation of a value, `Driver::Moments`",
+            Self::SlopeMoments(_) => "mean and covariance of slopes, `Driver::SlopeMoments`",
         }
     }
 
@@ -34,6 +48,7 @@ impl Driver {
     pub(crate) fn trips(&self) -> usize {
         match self {
             Self::Moments(moments) => moments.taps.count() as usize,
+            Self::SlopeMoments(moments) => moments.taps.count() as usize,
         }
     }
 
@@ -41,6 +56,7 @@ impl Driver {
     pub(crate) fn gap(&self) -> String {
         match self {
             Self::Moments(moments) => moments::gap(moments.taps),
+            Self::SlopeMoments(moments) => slope_moments::gap(moments.taps),
         }
     }
 
@@ -48,6 +64,7 @@ impl Driver {
     pub(crate) fn glue(&self, called: &Called<'_>) -> String {
         match self {
             Self::Moments(moments) => moments::glue(called, moments),
+            Self::SlopeMoments(moments) => slope_moments::glue(called, moments),
         }
     }
 }
@@ -60,7 +77,7 @@ pub(crate) struct Called<'a> {
     pub function: &'a str,
     /// The type of the filter's result.
     pub color_type: &'a str,
-    /// What the filter takes after mean and deviation, the same for every tap, each parameter behind a comma.
+    /// What the filter takes after the driver's statistics, the same for every tap, each parameter behind a comma.
     pub given: &'a str,
     /// The tables that it takes behind that, each parameter behind a comma.
     pub parameters: &'a str,
@@ -69,11 +86,11 @@ pub(crate) struct Called<'a> {
 }
 
 impl Called<'_> {
-    /// The call for the statistics `m`.
-    pub(crate) fn call(&self) -> String {
+    /// The call with these statistics for its first arguments.
+    pub(crate) fn call(&self, statistics: &str) -> String {
         let Self { name, function, arguments, .. } = self;
         let given = self.given.split(", ").filter_map(|parameter| parameter.split_once(": "));
         let given: String = given.map(|(name, _)| format!(", {name}")).collect();
-        format!("{name}_{function}(m.x, m.y{given}{arguments})")
+        format!("{name}_{function}({statistics}{given}{arguments})")
     }
 }

@@ -113,6 +113,9 @@ fn environment(light: &Irradiance) -> Table {
     knots::row("environment", 9, 1, texels)
 }
 
+/// What `NAME_irradiance` takes between the slopes' statistics and the tables, each behind a comma.
+pub(crate) const GIVEN: &str = ", view: vec3f, x: vec3f, y: vec3f, z: vec3f";
+
 /// `NAME_irradiance` with a body, and `NAME_lambert`.
 pub(crate) fn glue(name: &str, tier: IrradianceTier, label: &str, parameters: &str, body: &str) -> String {
     format!(
@@ -122,8 +125,7 @@ pub(crate) fn glue(name: &str, tier: IrradianceTier, label: &str, parameters: &s
 /// `view` is a unit vector away from the surface in its tangent frame, z along the normal, in which slopes have a mean
 /// and a covariance, xx, xy, yy: a slope s has a normal along (-s.x, -s.y, 1). `x`, `y` and `z` are that frame's axes
 /// in the space of the environment. Times albedo over pi it is the radiance; what hides the environment is not in it.
-fn {name}_irradiance(mean_slope: vec2f, slope_covariance: vec3f, view: vec3f, x: vec3f, y: vec3f, z: \
-         vec3f{parameters}) -> vec3f {{
+fn {name}_irradiance(mean_slope: vec2f, slope_covariance: vec3f{GIVEN}{parameters}) -> vec3f {{
 {body}}}
 
 /// Mean of Lambert's cosine of a directional light over the normals of `{name}` that are seen, in the tangent frame.

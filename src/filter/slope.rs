@@ -137,9 +137,18 @@ pub(crate) fn over(
     texture.beneath(map, variation(map) * step_error(tier, ranges), body)
 }
 
+/// What `NAME_slope` takes between the slopes' statistics and the tables, each behind a comma.
+pub(crate) fn given(tier: SlopeTier) -> &'static str {
+    match tier {
+        SlopeTier::Unweighted => ", direction: vec2f",
+        SlopeTier::Gaussian | SlopeTier::Pair => ", view: vec3f, direction: vec2f",
+    }
+}
+
 /// `NAME_slope` with a body.
 pub(crate) fn glue(name: &str, map: &ColorMap, tier: SlopeTier, label: &str, parameters: &str, body: &str) -> String {
     let weighted = tier != SlopeTier::Unweighted;
+    let given = given(tier);
     format!(
         "/// Mean color of `{name}` over {},
 /// by {label}.
@@ -147,12 +156,11 @@ pub(crate) fn glue(name: &str, map: &ColorMap, tier: SlopeTier, label: &str, par
 /// Positions of the map are components d · s of slopes s along `direction`, d, of length 1 at most. A facet's normal n
 /// is along (-s.x, -s.y, 1): with d = -t.xy the component is n · t / n.z - t.z, how much it faces a direction t.
 /// Slopes have a mean and a covariance, xx, xy, yy.{}
-fn {name}_slope(mean_slope: vec2f, slope_covariance: vec3f, {}direction: vec2f{parameters}) -> {} {{
+fn {name}_slope(mean_slope: vec2f, slope_covariance: vec3f{given}{parameters}) -> {} {{
 {}{body}}}
 ",
         if weighted { "the slopes that are seen" } else { "all slopes" },
         if weighted { VIEWED } else { "" },
-        if weighted { "view: vec3f, " } else { "" },
         color_type(map),
         statements(&shared(tier))
     )

@@ -64,6 +64,9 @@ pub(crate) fn shared() -> Vec<Shared> {
     vec![Shared::new("square", square), Shared::new("rice", rice)]
 }
 
+/// What `NAME_steepness` takes between the slopes' statistics and the tables, behind a comma.
+pub(crate) const GIVEN: &str = ", view: vec3f";
+
 /// `NAME_steepness` with a body.
 pub(crate) fn glue(name: &str, map: &ColorMap, parameters: &str, body: &str) -> String {
     format!(
@@ -75,7 +78,7 @@ pub(crate) fn glue(name: &str, map: &ColorMap, parameters: &str, body: &str) -> 
 /// `view` is a unit vector away from the surface, z along its normal; (0, 0, 1) counts all slopes alike, as over a flat
 /// mesh with a map of normals. Below the horizon of the mean surface the color is that of the slopes that rise above
 /// it.
-fn {name}_steepness(mean_slope: vec2f, slope_covariance: vec3f, view: vec3f{parameters}) -> {} {{
+fn {name}_steepness(mean_slope: vec2f, slope_covariance: vec3f{GIVEN}{parameters}) -> {} {{
 {}{body}}}
 ",
         color_type(map),

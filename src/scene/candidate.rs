@@ -114,7 +114,7 @@ impl Scene {
         let candidate = |tier: Tier| {
             let filter = filter(map, self.colors, tier, self.chosen_ranges())?;
             let mut glue = self.texture_glue(map, tier, self.chosen_ranges(), &filter);
-            glue += &self.driven("texture", map, "", &filter.tables);
+            glue += &self.driven("texture", color_type(map), "", &filter.tables);
             self.candidate(tier.to_string(), Over::Values, filter.bound.value(), filter, glue)
         };
         self.tiers().into_iter().map(candidate).collect()
@@ -143,12 +143,12 @@ impl Scene {
 
     /// The export of the driver, where there is one, which calls `NAME_FUNCTION`; `given` are the parameters of that
     /// between the driver's statistics and the tables, each with a comma in front.
-    pub(super) fn driven(&self, function: &str, map: &ColorMap, given: &str, tables: &[Table]) -> String {
+    pub(super) fn driven(&self, function: &str, color_type: &str, given: &str, tables: &[Table]) -> String {
         let Some(driver) = self.driver else { return String::new() };
         let called = Called {
             name: &self.name,
             function,
-            color_type: color_type(map),
+            color_type,
             given,
             parameters: &parameters(tables),
             arguments: &arguments(tables),

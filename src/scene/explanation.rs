@@ -5,6 +5,7 @@ use std::fmt::Write;
 use super::candidate::{Candidate, Over};
 use super::Scene;
 use crate::accuracy::{Bound, Ranges};
+use crate::driver::Driver;
 use crate::filter::height::{self, surface, tier, HeightTier};
 use crate::filter::slope::SlopeTier;
 use crate::filter::{irradiance, slope};
@@ -43,13 +44,10 @@ impl Scene {
         let gap = match (chosen.over, self.driver) {
             (Over::Values, None) => UNDRIVEN.to_owned(),
             (Over::Values, Some(driver)) => driver.gap(),
-            (Over::Heights(_), None) => surface::gap(self.microsurface, self.percentile.is_some()),
-            (Over::Heights(_), Some(driver)) => {
-                format!("{};\n    {}", surface::gap(self.microsurface, false), driver.gap())
-            }
-            (Over::Slopes(tier), _) => slope::gap(tier),
-            (Over::Steepness, _) => slope::gap(SlopeTier::Gaussian),
-            (Over::Normals(_), _) => irradiance::GAP.to_owned(),
+            (Over::Heights(_), driver) => driven(surface::gap(self.microsurface, self.percentile.is_some()), driver),
+            (Over::Slopes(tier), driver) => driven(slope::gap(tier), driver),
+            (Over::Steepness, driver) => driven(slope::gap(SlopeTier::Gaussian), driver),
+            (Over::Normals(_), driver) => driven(irradiance::GAP.to_owned(), driver),
         };
         let _ = writeln!(text, "  not in the error: {gap}");
         text
@@ -115,6 +113,11 @@ const NAMED: &str = "the scene names this tier";
 
 /// What the bound of a filter without a driver does not cover.
 const UNDRIVEN: &str = "how far a pixel's values are from a normal distribution of that mean and deviation";
+
+/// A filter's gap, and its driver's behind it.
+fn driven(gap: String, driver: Option<Driver>) -> String {
+    driver.map_or(gap.clone(), |driver| format!("{gap};\n    {}", driver.gap()))
+}
 
 /// Whether the bound is that of a distribution and of a map over it.
 fn stacked(candidate: &Candidate) -> bool {

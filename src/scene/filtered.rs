@@ -1,6 +1,7 @@
 //! What a scene filters, and which settings go with that.
 
 use super::Scene;
+use crate::driver::Driver;
 use crate::filter::height::{HeightTier, Microsurface};
 use crate::transfer::color_map::ColorMap;
 use crate::transfer::irradiance::Irradiance;
@@ -33,6 +34,16 @@ impl std::fmt::Display for Filtered<'_> {
             Self::Steepness(_) => "a `steepness`",
             Self::Irradiance(_) => "`irradiance`",
         })
+    }
+}
+
+impl Filtered<'_> {
+    /// Whether a driver gives the statistics that are needed.
+    fn driven_by(self, driver: Driver) -> bool {
+        match driver {
+            Driver::Moments(_) => matches!(self, Self::Texture(_) | Self::Height(_)),
+            Driver::SlopeMoments(_) => matches!(self, Self::Slope(_) | Self::Steepness(_) | Self::Irradiance(_)),
+        }
     }
 }
 
@@ -79,9 +90,9 @@ impl Scene {
         let slope_tier = self.slope_tier.filter(|_| !matches!(filtered, F::Slope(_)));
         let irradiance_tier = self.irradiance_tier.filter(|_| !matches!(filtered, F::Irradiance(_)));
         let hidden = !heights && !percentiles && self.microsurface != Microsurface::default();
-        let driven = self.driver.is_some() && !heights && !matches!(filtered, F::Texture(_));
+        let driver = self.driver.filter(|driver| !filtered.driven_by(*driver));
         let settings = [
-            driven.then(|| "a driver, which gives mean and deviation of a value".to_owned()),
+            driver.map(|driver| format!("a driver that gives {}", driver.gives())),
             self.tier.filter(|_| !mapped).map(|tier| format!("a color map's tier, {tier}")),
             height_tier.map(|tier| format!("a tier of heights, {tier}")),
             slope_tier.map(|tier| format!("a tier of slopes, {tier}")),

@@ -7,7 +7,7 @@ use crate::filter::height::skewed::skewed;
 use crate::filter::height::tails::tails;
 use crate::filter::height::tier::texture_ranges;
 use crate::filter::height::{self, HeightTier};
-use crate::filter::texture::filter;
+use crate::filter::texture::{color_type, filter};
 use crate::transfer::color_map::{ColorMap, Colors};
 use crate::Error;
 
@@ -33,7 +33,7 @@ impl Scene {
                 let extra = parameters(&filter.tables);
                 let glue = Glue { name, map, tier, label: &label, surface, percentile: false, parameters: &extra }
                     .text(&filter);
-                let driven = self.driven("height", map, &given(surface), &filter.tables);
+                let driven = self.driven("height", color_type(map), &given(surface), &filter.tables);
                 let glue = glue + &driven + "\n" + &own;
                 let judged = if self.height_tier.is_some() { texture.bound } else { filter.bound };
                 candidates.push(self.candidate(label, Over::Heights(tier), judged.value(), filter, glue)?);
@@ -70,7 +70,7 @@ impl Scene {
         let parameters = parameters(&filter.tables);
         let glue =
             Glue { name, map, tier, label: &label, surface, percentile: false, parameters: &parameters }.text(&filter);
-        let glue = glue + &self.driven("height", map, &given(surface), &filter.tables);
+        let glue = glue + &self.driven("height", color_type(map), &given(surface), &filter.tables);
         self.candidate(label, Over::Heights(tier), filter.bound.value(), filter, glue)
     }
 }

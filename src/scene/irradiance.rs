@@ -2,7 +2,7 @@
 
 use super::candidate::{parameters, Candidate, Over};
 use super::Scene;
-use crate::filter::irradiance::{glue, irradiance, IrradianceTier};
+use crate::filter::irradiance::{glue, irradiance, IrradianceTier, GIVEN};
 use crate::transfer::irradiance::Irradiance;
 use crate::Error;
 
@@ -14,7 +14,8 @@ impl Scene {
         let candidate = |tier: IrradianceTier| {
             let filter = irradiance(light, self.colors, tier);
             let label = tier.to_string();
-            let glue = glue(&self.name, tier, &label, &parameters(&filter.tables), &filter.body);
+            let glue = glue(&self.name, tier, &label, &parameters(&filter.tables), &filter.body)
+                + &self.driven("irradiance", "vec3f", GIVEN, &filter.tables);
             self.candidate(label, Over::Normals(tier), filter.bound.value(), filter, glue)
         };
         self.irradiance_tier.map_or(NORMALS.to_vec(), |tier| vec![tier]).into_iter().map(candidate).collect()

@@ -3,8 +3,8 @@
 use super::candidate::{arguments, parameters, Candidate, Over};
 use super::Scene;
 use crate::filter::height::variation;
-use crate::filter::slope::{floor, glue, over, steepest, step_error, texture_ranges, SlopeTier};
-use crate::filter::texture::filter;
+use crate::filter::slope::{floor, given, glue, over, steepest, step_error, texture_ranges, SlopeTier};
+use crate::filter::texture::{color_type, filter};
 use crate::transfer::color_map::ColorMap;
 use crate::Error;
 
@@ -23,7 +23,10 @@ impl Scene {
                 let own = self.texture_glue(map, texture_tier, below, &texture);
                 let filter = over(&texture, map, tier, ranges, name, &arguments(&texture.tables));
                 let label = format!("{tier} over {texture_tier}");
-                let glue = glue(name, map, tier, &label, &parameters(&filter.tables), &filter.body) + "\n" + &own;
+                let glue = glue(name, map, tier, &label, &parameters(&filter.tables), &filter.body)
+                    + &self.driven("slope", color_type(map), given(tier), &filter.tables)
+                    + "\n"
+                    + &own;
                 let judged = if self.slope_tier.is_some() { texture.bound } else { filter.bound };
                 candidates.push(self.candidate(label, Over::Slopes(tier), judged.value(), filter, glue)?);
             }

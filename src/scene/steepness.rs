@@ -3,7 +3,8 @@
 use super::candidate::{parameters, Candidate, Over};
 use super::Scene;
 use crate::filter::height::variation;
-use crate::filter::steepness::{filter, floor, glue, STEP};
+use crate::filter::steepness::{filter, floor, glue, GIVEN, STEP};
+use crate::filter::texture::color_type;
 use crate::transfer::color_map::ColorMap;
 use crate::Error;
 
@@ -36,7 +37,8 @@ impl Scene {
             return Err(Error::Conflict(what));
         }
         let filter = filter(map, self.colors, self.chosen_ranges());
-        let glue = glue(&self.name, map, &parameters(&filter.tables), &filter.body);
+        let glue = glue(&self.name, map, &parameters(&filter.tables), &filter.body)
+            + &self.driven("steepness", color_type(map), GIVEN, &filter.tables);
         self.candidate("one distribution of Rice".to_owned(), Over::Steepness, filter.bound.value(), filter, glue)
     }
 

@@ -6,11 +6,11 @@ use prefilter::table::Format;
 use prefilter::{Driver, Edge, Kernel as Form, MomentMipmap, Moments, Scene, Taps, Tier};
 use spirv_tests::maps;
 
-use crate::{photograph, random};
+use crate::footprints::{footprints, Footprint};
+use crate::photograph;
 
 const TAPS: [Taps; 4] = [Taps::One, Taps::Two, Taps::Four, Taps::Eight];
 const SEEDS: [u32; 4] = [1, 2, 3, 4];
-const POSITIONS: usize = 48;
 
 const ENTRY: &str = "
 @group(0) @binding(0) var<storage, read_write> output: array<f32>;
@@ -24,44 +24,6 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
     let color = rock_color(vec2f(p[0], p[1]), vec2f(p[2], p[3]), vec2f(p[4], p[5]), image, image_sampler);
     for (var channel = 0u; channel < 3u; channel++) { output[3u * id.x + channel] = color[channel]; }
 }";
-
-/// A long footprint in texels: center, direction of the major axis, deviations.
-struct Footprint {
-    center: [f64; 2],
-    angle: f64,
-    major: f64,
-    minor: f64,
-}
-
-impl Footprint {
-    /// Texture coordinates and screen derivatives under which a pixel of deviation ½ covers the footprint.
-    fn point(&self, image: &Image) -> [f32; 6] {
-        let (width, height) = (image.width as f64, image.height as f64);
-        let (sin, cos) = self.angle.sin_cos();
-        let [across, down] = [[cos, sin], [-sin, cos]];
-        let scaled =
-            |axis: [f64; 2], deviation: f64| [2.0 * axis[0] * deviation / width, 2.0 * axis[1] * deviation / height];
-        let ([a, b], [c, d]) = (scaled(across, self.major), scaled(down, self.minor));
-        [self.center[0] / width, self.center[1] / height, a, b, c, d].map(|number| number as f32)
-    }
-
-    fn covariance(&self) -> [f64; 3] {
-        let (sin, cos) = self.angle.sin_cos();
-        let (a, b) = (self.major * self.major, self.minor * self.minor);
-        [a * cos * cos + b * sin * sin, (a - b) * cos * sin, a * sin * sin + b * cos * cos]
-    }
-}
-
-fn footprints(image: &Image, seed: u32, minor: f64, aspect: f64) -> Vec<Footprint> {
-    let mut next = random(seed);
-    let footprint = |_| Footprint {
-        center: [next() * image.width as f64, next() * image.height as f64],
-        angle: next() * std::f64::consts::PI,
-        major: minor * aspect,
-        minor,
-    };
-    (0..POSITIONS).map(footprint).collect()
-}
 
 /// An image with a map, ready to be colored by each number of taps.
 struct Case {

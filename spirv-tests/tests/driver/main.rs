@@ -3,9 +3,11 @@
 
 mod colors;
 mod device;
+mod footprints;
 mod pyramids;
 mod references;
 mod roughness;
+mod slope_colors;
 mod slope_reads;
 mod slopes;
 mod toksvig;

@@ -1,6 +1,7 @@
 //! Color by one component of the slope: the reference by two methods, and the shelf's chain on the device against it.
 
 mod chain;
+mod driven;
 mod figures;
 mod references;
 mod scenes;

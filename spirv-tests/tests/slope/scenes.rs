@@ -61,7 +61,7 @@ fn scenes_that_cannot_be_are_refused() -> Outcome {
     let both = conflict(scene()?.texture(named("terrain")?));
     assert!(both.contains("more than one filter"), "{both}");
     let driven = conflict(scene()?.driver(Driver::Moments(Moments::default())));
-    assert!(driven.contains("goes without a driver"), "{driven}");
+    assert!(driven.contains("goes without a driver that gives mean and deviation"), "{driven}");
     assert!(conflict(scene()?.height_tier(HeightTier::Gaussian)).contains("without a tier of heights"));
     let hidden = Microsurface { shadowing: false, ..Microsurface::default() };
     assert!(conflict(scene()?.microsurface(hidden)).contains("without a `microsurface`"));

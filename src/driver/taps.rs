@@ -1,0 +1,192 @@
+//! The pixel's footprint on an image, and the points of it that are evaluated.
+
+use super::Called;
+use crate::Error;
+
+/// How many points of a footprint are evaluated: along its major axis, four and eight of them in two rows where it is
+/// about round.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum Taps {
+    /// One, for the whole footprint.
+    #[default]
+    One,
+    /// Two.
+    Two,
+    /// Four.
+    Four,
+    /// Eight.
+    Eight,
+}
+
+impl Taps {
+    /// The number.
+    pub fn count(self) -> u32 {
+        match self {
+            Self::One => 1,
+            Self::Two => 2,
+            Self::Four => 4,
+            Self::Eight => 8,
+        }
+    }
+}
+
+/// The pixel's filter: a Gaussian of the same covariance stands for it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum Pixel {
+    /// The same deviation along x and y, 0 to 16 pixels: box 0.289, Mitchell 0.333, tent 0.408, Gaussian resolve 0.5.
+    Round(f32),
+    /// The covariance xx, xy, yy in pixels²: positive semi-definite, variances up to 256.
+    Covariance([f32; 3]),
+}
+
+impl Default for Pixel {
+    /// A deviation of 0.5.
+    fn default() -> Self {
+        Self::Round(0.5)
+    }
+}
+
+/// Largest deviation of a pixel's filter, in pixels.
+const WIDEST: f32 = 16.0;
+
+impl Pixel {
+    /// Whether the description can be used.
+    ///
+    /// # Errors
+    /// [`Error::Value`] where the pixel's filter has a deviation that is negative, no number or beyond 16 pixels, or a
+    /// covariance that is not positive semi-definite.
+    pub(crate) fn check(&self) -> Result<(), Error> {
+        let refuse = |what: &str, value: f32, allowed: String| Err(Error::value(what, value, allowed));
+        match *self {
+            Pixel::Round(deviation) if !(0.0..=WIDEST).contains(&deviation) => {
+                refuse("the pixel's deviation", deviation, format!("0 to {WIDEST} pixels"))
+            }
+            Pixel::Round(_) => Ok(()),
+            Pixel::Covariance([xx, xy, yy]) => {
+                let variances = 0.0..=WIDEST * WIDEST;
+                for (name, variance) in [("xx", xx), ("yy", yy)] {
+                    if !variances.contains(&variance) {
+                        let what = format!("the pixel's covariance {name}");
+                        return refuse(&what, variance, format!("0 to {} pixels²", variances.end()));
+                    }
+                }
+                // Rounded entries of a singular covariance may miss by an ulp.
+                if xy * xy <= xx * yy * (1.0 + 1e-6) {
+                    return Ok(());
+                }
+                refuse("the pixel's covariance xy", xy, format!("at most √(xx yy) = {} either way", (xx * yy).sqrt()))
+            }
+        }
+    }
+}
+
+/// What of an image a driver reads for a point, and what it makes of that.
+pub(super) struct Reader<'a> {
+    /// The image, whose size scales derivatives.
+    pub image: &'a str,
+    /// The call that reads the statistics `m`, up to the position.
+    pub read: &'a str,
+    /// The filter's first arguments from them.
+    pub statistics: &'a str,
+    /// How much a point counts beside its place, where not all count alike.
+    pub weight: Option<&'a str>,
+}
+
+impl Reader<'_> {
+    /// The body of `NAME_color`, and its number of taps in words.
+    pub fn body(&self, called: &Called<'_>, taps: Taps, pixel: Pixel) -> (String, String) {
+        let (image, count) = (self.image, taps.count());
+        let footprint = match pixel {
+            Pixel::Round(deviation) => {
+                format!("footprint_covariance_round(dpdx * size, dpdy * size, {deviation:?})")
+            }
+            Pixel::Covariance([xx, xy, yy]) => {
+                format!("footprint_covariance(dpdx * size, dpdy * size, vec3f({xx:?}, {xy:?}, {yy:?}))")
+            }
+        };
+        let (points, body) = match count {
+            1 => (
+                "one tap".to_owned(),
+                format!(
+                    "    let m = {}, position, footprint);
+    return {};
+",
+                    self.read,
+                    called.call(self.statistics)
+                ),
+            ),
+            _ => (format!("{count} taps"), self.taps_loop(called, count)),
+        };
+        (
+            points,
+            format!(
+                "    let size = vec2f(textureDimensions({image}, 0));
+    let footprint = {footprint};
+{body}"
+            ),
+        )
+    }
+
+    /// The body for several taps; the number of turns is a literal, so that costs can be counted.
+    fn taps_loop(&self, called: &Called<'_>, taps: u32) -> String {
+        let (color_type, call, read) = (called.color_type, called.call(self.statistics), self.read);
+        let (total, sum, mean) = match self.weight {
+            None => (String::new(), "        sum += place.z * color;\n".to_owned(), "sum"),
+            Some(weight) => (
+                "    var total = 0.0;\n".to_owned(),
+                format!(
+                    "        let weight = place.z * {weight};
+        sum += weight * color;
+        total += weight;
+"
+                ),
+                "sum / total",
+            ),
+        };
+        format!(
+            "    let deviations = footprint_deviations(footprint);
+    let axis = footprint_direction(footprint);
+    let tap_footprint = taps_covariance(axis, deviations.x, deviations.y, {taps}.0);
+    let spread = sqrt(taps_spread(deviations.x, deviations.y, {taps}.0));
+    let along = axis * spread.x / size;
+    let across = vec2f(-axis.y, axis.x) * spread.y / size;
+    var sum = {color_type}();
+{total}    var low = {color_type}(3e38);
+    var high = {color_type}(-3e38);
+    for (var tap = 0; tap < {taps}; tap++) {{
+        let place = taps_place(f32(tap), {taps}.0);
+        let at = position + place.x * along + place.y * across;
+        let m = {read}, at, tap_footprint);
+        let color = {call};
+{sum}        low = min(low, color);
+        high = max(high, color);
+    }}
+    return clamp({mean}, low, high); // rounded weights may add up to more than one
+"
+        )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn refuses_filters_that_are_none() {
+        for pixel in [
+            Pixel::Round(-0.1),
+            Pixel::Round(f32::NAN),
+            Pixel::Round(f32::INFINITY),
+            Pixel::Covariance([0.25, 0.3, 0.25]),
+            Pixel::Covariance([0.25, f32::NAN, 0.25]),
+            Pixel::Covariance([-0.25, 0.0, 0.25]),
+        ] {
+            assert!(matches!(pixel.check(), Err(Error::Value { .. })), "{pixel:?}");
+        }
+        for pixel in [Pixel::default(), Pixel::Round(0.0), Pixel::Covariance([0.3, 0.1 * 0.3, 0.003])] {
+            assert_eq!(pixel.check(), Ok(()));
+        }
+    }
+}
