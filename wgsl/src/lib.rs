@@ -38,6 +38,7 @@ macro_rules! shelf {
 pub const FILES: &[File] = shelf![
     "math/grid.wgsl",
     "math/normal.wgsl",
+    "footprint/curvature.wgsl",
     "footprint/footprint.wgsl",
     "footprint/taps.wgsl",
     "visibility/heights.wgsl",

@@ -2,6 +2,7 @@
 //! far the color over a footprint is from the integral over the image's reconstruction, for 1, 2, 4 and 8 taps.
 
 mod colors;
+mod curvature;
 mod device;
 mod footprints;
 mod pyramids;
