@@ -31,7 +31,8 @@ use crate::Error;
 /// where Σ is round, and else α² = α₀² + 2λ along each axis of Σ, λ its eigenvalues. *GGX* has slopes of infinite
 /// variance and does not stay GGX: the same α² = α₀² + 2σ² is a convention. It leaves the peak of the distribution too
 /// high, by up to a quarter and 24 % where 2σ² = α₀²; where σ is far below α₀, α₀² + 4σ² keeps the peak. Mean slopes go
-/// to the shading normal.
+/// to the shading normal. The shelf's `roughness_round` and `roughness_axes` are these sums, and `curvature_covariance`
+/// is what a bent mesh below the map adds to Σ.
 ///
 /// ```
 /// use prefilter::{Edge, SlopeMipmap};

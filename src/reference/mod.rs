@@ -13,6 +13,7 @@ pub mod normals;
 pub mod percentile;
 pub mod perturbed;
 pub mod quadrature;
+pub mod roughness;
 pub mod slope;
 pub mod slope_moments;
 pub mod slopes;

@@ -43,6 +43,7 @@ pub const FILES: &[File] = shelf![
     "footprint/taps.wgsl",
     "visibility/heights.wgsl",
     "visibility/normals.wgsl",
+    "visibility/roughness.wgsl",
     "visibility/slopes.wgsl",
     "visibility/smith.wgsl",
     "visibility/steepness.wgsl",

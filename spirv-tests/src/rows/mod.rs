@@ -14,6 +14,7 @@ mod normal;
 mod normals;
 mod percentile;
 mod perturbed;
+mod roughness;
 mod slope_moments;
 mod slopes;
 mod smith;
@@ -150,6 +151,7 @@ pub fn all() -> Vec<Row> {
         normals::rows(),
         percentile::rows(),
         perturbed::rows(),
+        roughness::rows(),
         slope_moments::rows(),
         slopes::rows(),
         smith::rows(),

@@ -2,7 +2,10 @@
 
 use std::f64::consts::PI;
 
+use prefilter::gpu::Device;
+use prefilter::reference::footprint::variance_along;
 use prefilter::reference::quadrature::integrate;
+use spirv_tests::kernel::Function;
 
 /// The density at slope 0 of a round distribution whose slopes are joined by normal ones of the variance `added`.
 fn peak(density: impl Fn(f64) -> f64, added: f64) -> f64 {
@@ -43,4 +46,44 @@ fn roughness_takes_variance_in_as_documented() {
     // Where 2σ² = α₀².
     let even = ggx(2.0, 0.0) / peak(|slope| ggx(1.0, slope), 0.5);
     assert!((1.235..1.245).contains(&even), "{even}");
+}
+
+/// The density at a slope of Beckmann's distribution with slopes of a covariance added, by their sum over a grid.
+fn joined(roughness: f64, [xx, xy, yy]: [f64; 3], slope: [f64; 2]) -> f64 {
+    let (column, rest) = (xx.sqrt(), (yy - xy * xy / xx).sqrt());
+    let at = |index: i32| 0.1 * f64::from(index);
+    let mut sum = 0.0;
+    for (u, v) in (-70..=70).flat_map(|u| (-70..=70).map(move |v| (at(u), at(v)))) {
+        let added = [column * u, xy / column * u + rest * v];
+        let rest = (slope[0] - added[0]).hypot(slope[1] - added[1]);
+        sum += libm::exp(-0.5 * (u * u + v * v)) / (2.0 * PI) * beckmann(roughness * roughness, rest);
+    }
+    0.01 * sum
+}
+
+/// Both axes of the shelf with their direction are Beckmann's distribution with the slopes added, whatever the slope.
+#[test]
+fn the_shelf_is_beckmann_with_slopes_added() {
+    let device = Device::new().unwrap();
+    let text = "struct rough { alpha: vec2f, axis: vec2f, round: f32 }
+    fn asked(roughness: f32, covariance: vec3f) -> rough {
+        return rough(roughness_axes(roughness, footprint_deviations(covariance)), footprint_direction(covariance),
+            roughness_round(roughness, covariance));
+    }";
+    let shelf = Function::in_text(text, "asked").unwrap();
+    for (roughness, covariance) in [(0.5, [0.09, 0.05, 0.06]), (0.3, [0.02, 0.0, 0.2]), (0.4, [0.1, -0.03, 0.1])] {
+        let got = shelf.results(&device, &[], &[vec![roughness, covariance[0], covariance[1], covariance[2]]]).unwrap();
+        let &[major, minor, x, y, round] = got[0].as_slice() else { panic!("five numbers") };
+        for slope in [[0.0, 0.0], [0.3, 0.1], [-0.2, 0.4], [0.1, -0.7]] {
+            let along = [slope[0] * x + slope[1] * y, slope[1] * x - slope[0] * y];
+            let square = (along[0] / major).powi(2) + (along[1] / minor).powi(2);
+            let density = libm::exp(-square) / (PI * major * minor);
+            let truth = joined(roughness, covariance, slope);
+            assert!((density / truth - 1.0).abs() < 1e-5, "{covariance:?} {slope:?}: {density} {truth}");
+        }
+        // The same mean square of the slope: α² along both axes together.
+        let square = 0.5 * (major * major + minor * minor);
+        assert!((round * round / square - 1.0).abs() < 1e-6, "{round} {major} {minor}");
+        assert!((variance_along(covariance, [x, y]) - 0.5 * (major.powi(2) - roughness.powi(2))).abs() < 1e-6);
+    }
 }
