@@ -81,6 +81,12 @@
 //! Diffuse light depends on the slopes that are seen, too. [`Scene::irradiance`] averages an environment's irradiance
 //! of order 2 and Lambert's cosine over their normals; [`IrradianceTier`]s differ in how they average.
 //!
+//! # Layers together
+//!
+//! Layers are scenes, and add and multiply: [`Scene::combination`] takes an expression of them, a [`Combination`], and
+//! evaluates what they share once. With [`Scene::irradiance`] or a [`Reflectance`] color and light are averaged
+//! together where both depend on the slopes.
+//!
 //! # Conventions
 //!
 //! - `mean` and `deviation` (σ, never the variance σ²) share the unit of the color map's positions. Deviations below
@@ -131,6 +137,7 @@ pub use driver::slope_moments::SlopeMoments;
 pub use driver::taps::{Pixel, Taps};
 pub use driver::Driver;
 pub use error::Error;
+pub use filter::combine::Reflectance;
 pub use filter::height::{HeightTier, Microsurface};
 pub use filter::irradiance::IrradianceTier;
 pub use filter::slope::SlopeTier;
@@ -139,7 +146,7 @@ pub use module::{Export, Module, Stage};
 #[cfg(feature = "macros")]
 #[doc(inline)]
 pub use prefilter_macros::include_wgsl;
-pub use scene::Scene;
+pub use scene::{Combination, Scene};
 pub use shader::{link, Shader};
 pub use table::Table;
 pub use transfer::color_map::{ColorMap, Colors};

@@ -1,16 +1,20 @@
 //! From a description to a module: the only file that knows drivers, transfer functions and filters together.
 
 mod candidate;
+mod combination;
+mod combined;
 mod explanation;
 mod filtered;
 mod heights;
 mod irradiance;
+mod layer;
 mod percentile;
 mod slope;
 mod steepness;
 
 use crate::accuracy::{Accuracy, Ranges};
 use crate::driver::Driver;
+use crate::filter::combine::Reflectance;
 use crate::filter::height::{HeightTier, Microsurface};
 use crate::filter::irradiance::IrradianceTier;
 use crate::filter::slope::SlopeTier;
@@ -19,6 +23,8 @@ use crate::module::Module;
 use crate::transfer::color_map::{ColorMap, Colors};
 use crate::transfer::irradiance::Irradiance;
 use crate::{name, Error};
+
+pub use combination::Combination;
 
 /// What a material needs: what is filtered, over which values, and how closely.
 ///
@@ -49,6 +55,10 @@ pub struct Scene {
     #[cfg_attr(feature = "serde", serde(default))]
     irradiance: Option<Irradiance>,
     #[cfg_attr(feature = "serde", serde(default))]
+    combination: Option<Combination>,
+    #[cfg_attr(feature = "serde", serde(default))]
+    reflectance: Option<Reflectance>,
+    #[cfg_attr(feature = "serde", serde(default))]
     microsurface: Microsurface,
     colors: Colors,
     tier: Option<Tier>,
@@ -73,6 +83,8 @@ impl Scene {
             slope: None,
             steepness: None,
             irradiance: None,
+            combination: None,
+            reflectance: None,
             microsurface: Microsurface::default(),
             colors: Colors::default(),
             tier: None,
@@ -132,56 +144,6 @@ impl Scene {
     #[must_use]
     pub fn height_percentile(self, map: ColorMap) -> Self {
         Self { percentile: Some(map), ..self }
-    }
-
-    /// Cs: color by one component of the slope, of those slopes of a rough surface that a view sees: cliffs that face a
-    /// direction, snow and rain from one side.
-    ///
-    /// Exports `NAME_slope(mean_slope, slope_covariance, view, direction, …)`, the mean color over the slopes'
-    /// components along a horizontal vector of length 1 at most. A facet of the slope s has a normal along
-    /// (−s.x, −s.y, 1), and counts by its area in the picture.
-    ///
-    /// The ranges are those of the component's mean and deviation over all slopes. Bounds are for views above the
-    /// horizon of the mean surface, for mean slopes up to 1 or the largest mean, and for deviations of the component
-    /// from a thousandth of that, or from a tenth of the largest deviation where that is less.
-    ///
-    /// ```
-    /// use prefilter::{Accuracy, ColorMap, Scene};
-    /// let dune = ColorMap::gradient([(-0.6, [0.3, 0.2, 0.1]), (0.1, [0.8, 0.6, 0.4]), (0.6, [0.9, 0.8, 0.7])])?;
-    /// let accuracy = Accuracy::max_filter_error(0.02).without_tables();
-    /// let module = Scene::new("dune").slope(dune).accuracy(accuracy).module()?;
-    /// assert_eq!(
-    ///     module.exports()[0].signature,
-    ///     "fn dune_slope(mean_slope: vec2f, slope_covariance: vec3f, view: vec3f, direction: vec2f) -> vec3f"
-    /// );
-    /// # Ok::<(), prefilter::Error>(())
-    /// ```
-    #[must_use]
-    pub fn slope(self, map: ColorMap) -> Self {
-        Self { slope: Some(map), ..self }
-    }
-
-    /// Light from all around on the slopes of a rough surface that a view sees, and Lambert's cosine of one light.
-    ///
-    /// Exports `NAME_irradiance(mean_slope, slope_covariance, view, x, y, z, …)`, the mean irradiance over the normals
-    /// that are seen, x, y and z being the axes of the tangent frame in the environment's space, and
-    /// `NAME_lambert(mean_slope, slope_covariance, view, light)`, the mean of max(n · l, 0). With [`Colors::Dynamic`]
-    /// the environment is a texture of nine texels.
-    ///
-    /// Bounds are for views from 5 degrees above the mean plane, mean slopes up to 0.36 and slope deviations up to 1
-    /// (of [`IrradianceTier::Points`] 0.3) with correlations up to 0.9; that of Lambert's cosine is 0.03 besides.
-    ///
-    /// ```
-    /// use prefilter::{Irradiance, Scene};
-    /// let sky = Irradiance::from_equirectangular(64, 32, &[[0.4, 0.6, 1.0]; 64 * 32])?;
-    /// let module = Scene::new("dune").irradiance(sky).module()?;
-    /// let names: Vec<_> = module.exports().iter().map(|export| export.name.as_str()).collect();
-    /// assert_eq!(names, ["dune_irradiance", "dune_lambert"]);
-    /// # Ok::<(), prefilter::Error>(())
-    /// ```
-    #[must_use]
-    pub fn irradiance(self, light: Irradiance) -> Self {
-        Self { irradiance: Some(light), ..self }
     }
 
     /// What hides parts of the surface that is colored by height. Default: view and light, taken for independent.
@@ -278,12 +240,16 @@ impl Scene {
         self.chosen_ranges().check()?;
         self.accuracy.map_or(Ok(()), |accuracy| accuracy.check())?;
         self.driver.map_or(Ok(()), |driver| driver.check())?;
+        if let Some(combination) = &self.combination {
+            self.combines()?;
+            return self.combined(combination);
+        }
         let (chosen, passed) = self.choose()?;
         let explanation = self.explain(&chosen, &passed);
         Ok(Module {
             name: self.name.clone(),
-            exports: self.exports(&chosen.glue),
-            glue: chosen.glue,
+            exports: self.exports(&chosen.text.glue),
+            glue: chosen.text.glue,
             linked: chosen.linked,
             tables: chosen.filter.tables,
             explanation,

@@ -1,8 +1,8 @@
 //! The scenes whose modules are snapshots, and go through every backend and validator.
 
 use prefilter::{
-    Accuracy, ColorMap, Colors, Driver, HeightTier, Irradiance, IrradianceTier, Kernel, Microsurface, Moments, Pixel,
-    Ranges, Scene, SlopeMoments, SlopeTier, Taps, Tier,
+    Accuracy, ColorMap, Colors, Combination, Driver, HeightTier, Irradiance, IrradianceTier, Kernel, Microsurface,
+    Moments, Pixel, Ranges, Reflectance, Scene, SlopeMoments, SlopeTier, Taps, Tier,
 };
 
 use crate::maps::{named, random};
@@ -14,7 +14,7 @@ type Result<T> = std::result::Result<T, Box<dyn std::error::Error + Send + Sync>
 /// # Errors
 /// None that the tests have seen: the maps are fixed.
 pub fn all() -> Result<Vec<(&'static str, Scene)>> {
-    Ok([textures()?, heights()?, slopes()?, steepnesses()?, irradiances()?, driven_slopes()?].concat())
+    Ok([textures()?, heights()?, slopes()?, steepnesses()?, irradiances()?, driven_slopes()?, combinations()?].concat())
 }
 
 /// The scenes of values.
@@ -25,12 +25,38 @@ pub fn textures() -> Result<Vec<(&'static str, Scene)>> {
     Ok([constant_colors()?, dynamic_colors()?, driven()?, edges_and_limits()?].concat())
 }
 
-/// The scenes of irradiance: a sky that is bright at its zenith and on one side, over dark ground.
+/// The scenes of several layers: without light, in an environment, and under one light with all channels.
 ///
 /// # Errors
 /// As [`all`].
-pub fn irradiances() -> Result<Vec<(&'static str, Scene)>> {
-    let sky = Irradiance::from_harmonics([
+pub fn combinations() -> Result<Vec<(&'static str, Scene)>> {
+    let rock = ColorMap::gradient([(0.3, [0.2, 0.3, 0.1]), (0.9, [0.4, 0.35, 0.3])])?;
+    let rock = Scene::new("rock").steepness(rock);
+    let high = Scene::new("high").height(ColorMap::gradient([(0.6, [0.0; 3]), (0.8, [1.0; 3])])?);
+    let grain = ColorMap::gradient([(0.1, [0.5; 3]), (0.9, [1.0, 0.95, 0.9])])?;
+    let grain = Scene::new("grain").texture(grain);
+    let sand =
+        Scene::new("sand").slope(ColorMap::gradient([(-0.3, [0.7, 0.6, 0.4, 0.2]), (0.3, [0.9, 0.8, 0.6, 0.9])])?);
+    let strata = Scene::new("strata").height_percentile(ColorMap::bands([0.2; 4], [(0.5, [0.9; 4])])?);
+    let snow = Combination::color([0.9, 0.9, 0.95])?;
+    let unshadowed = Microsurface { shadowing: false, ..Microsurface::default() };
+    let hills = || Scene::new("hills").combination(&grain * &rock * (1.0 - &high) + snow.clone() * &high);
+    Ok(vec![
+        ("combination_default", hills()),
+        ("combination_lit", hills().microsurface(unshadowed).irradiance(sky()?).colors(Colors::Dynamic)),
+        (
+            "combination_radiance",
+            Scene::new("dune")
+                .combination(&sand * (1.0 - Combination::weight("wetness")? * &strata))
+                .reflectance(Reflectance::Lambert),
+        ),
+        ("combination_given", Scene::new("dune").combination(0.5 * &sand + 0.5).reflectance(Reflectance::Given)),
+    ])
+}
+
+/// A sky that is bright at its zenith and on one side, over dark ground.
+fn sky() -> Result<Irradiance> {
+    Ok(Irradiance::from_harmonics([
         [0.9, 1.1, 1.4],
         [0.1, 0.12, 0.1],
         [0.5, 0.6, 0.9],
@@ -40,7 +66,15 @@ pub fn irradiances() -> Result<Vec<(&'static str, Scene)>> {
         [0.1, 0.08, 0.11],
         [0.2, 0.15, 0.1],
         [-0.04, 0.02, 0.01],
-    ])?;
+    ])?)
+}
+
+/// The scenes of irradiance.
+///
+/// # Errors
+/// As [`all`].
+pub fn irradiances() -> Result<Vec<(&'static str, Scene)>> {
+    let sky = sky()?;
     let hill = || Scene::new("hill").irradiance(sky);
     Ok(vec![
         ("irradiance_default", hill()),

@@ -55,7 +55,7 @@ impl IrradianceTier {
     }
 
     /// The expression of the means in the tangent frame.
-    fn means(self) -> String {
+    pub(crate) fn means(self) -> String {
         match self.function() {
             Some(function) => format!("{function}(view, mean_slope, slope_covariance)"),
             None => "normals_plus_one(normals_means(vec3f(), vec3f(), vec3f()), mean_slope, 1.0)".to_owned(),
@@ -63,9 +63,9 @@ impl IrradianceTier {
     }
 }
 
-/// The filter of a tier: its body names the means `m` in the frame x, y, z.
+/// The filter of a tier: its body knows the means in the frame x, y, z as `m`.
 pub(crate) fn irradiance(light: &Irradiance, colors: Colors, tier: IrradianceTier) -> Filter {
-    let mut body = format!("    let m = irradiance_turned({}, x, y, z);\n", tier.means());
+    let mut body = String::new();
     let tables = match colors {
         Colors::Constant => {
             let terms = ["", "m.first.x", "m.first.y", "m.first.z", "m.level.x", "m.level.y", "m.level.z"];
@@ -118,6 +118,7 @@ pub(crate) const GIVEN: &str = ", view: vec3f, x: vec3f, y: vec3f, z: vec3f";
 
 /// `NAME_irradiance` with a body, and `NAME_lambert`.
 pub(crate) fn glue(name: &str, tier: IrradianceTier, label: &str, parameters: &str, body: &str) -> String {
+    let means = tier.means();
     format!(
         "/// Mean irradiance on `{name}` over the normals that are seen,
 /// by {label}.
@@ -126,14 +127,14 @@ pub(crate) fn glue(name: &str, tier: IrradianceTier, label: &str, parameters: &s
 /// and a covariance, xx, xy, yy: a slope s has a normal along (-s.x, -s.y, 1). `x`, `y` and `z` are that frame's axes
 /// in the space of the environment. Times albedo over pi it is the radiance; what hides the environment is not in it.
 fn {name}_irradiance(mean_slope: vec2f, slope_covariance: vec3f{GIVEN}{parameters}) -> vec3f {{
+    let m = irradiance_turned({means}, x, y, z);
 {body}}}
 
 /// Mean of Lambert's cosine of a directional light over the normals of `{name}` that are seen, in the tangent frame.
 fn {name}_lambert(mean_slope: vec2f, slope_covariance: vec3f, view: vec3f, light: vec3f) -> f32 {{
-    return irradiance_lambert({}, light);
+    return irradiance_lambert({means}, light);
 }}
-",
-        tier.means()
+"
     )
 }
 

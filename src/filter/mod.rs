@@ -1,5 +1,6 @@
 //! Filters: what the mean of a transfer function over a footprint is, tier by tier.
 
+pub mod combine;
 pub mod height;
 pub mod irradiance;
 mod knots;

@@ -4,13 +4,15 @@
 pub(crate) struct Shared {
     /// The name by which bodies know it.
     pub name: &'static str,
+    /// Its WGSL type.
+    pub kind: &'static str,
     /// The expression, of parameters and of values before it.
     pub value: String,
 }
 
 impl Shared {
-    pub(super) fn new(name: &'static str, value: impl Into<String>) -> Self {
-        Self { name, value: value.into() }
+    pub(super) fn new(name: &'static str, kind: &'static str, value: impl Into<String>) -> Self {
+        Self { name, kind, value: value.into() }
     }
 }
 

@@ -90,12 +90,12 @@ pub(crate) fn texture_ranges(tier: SlopeTier, ranges: Ranges) -> Ranges {
 
 /// The factor of the covariance and what of the scalar u a tier needs.
 pub(crate) fn shared(tier: SlopeTier) -> Vec<Shared> {
-    let factor = Shared::new("factor", "slopes_factor(view, slope_covariance)");
-    let parameter = Shared::new("parameter", "slopes_parameter(view, mean_slope, factor)");
+    let factor = Shared::new("factor", "vec4f", "slopes_factor(view, slope_covariance)");
+    let parameter = Shared::new("parameter", "f32", "slopes_parameter(view, mean_slope, factor)");
     match tier {
         SlopeTier::Unweighted => Vec::new(),
-        SlopeTier::Gaussian => vec![factor, parameter, Shared::new("moments", "slopes_moments(parameter)")],
-        SlopeTier::Pair => vec![factor, parameter, Shared::new("pair", "slopes_pair(parameter)")],
+        SlopeTier::Gaussian => vec![factor, parameter, Shared::new("moments", "vec2f", "slopes_moments(parameter)")],
+        SlopeTier::Pair => vec![factor, parameter, Shared::new("pair", "vec4f", "slopes_pair(parameter)")],
     }
 }
 

@@ -61,7 +61,7 @@ pub(crate) fn filter(map: &ColorMap, colors: Colors, ranges: Ranges) -> Filter {
 pub(crate) fn shared() -> Vec<Shared> {
     let square = "steepness_moments(view, mean_slope, slope_covariance)";
     let rice = "steepness_rice(square.x, square.y)";
-    vec![Shared::new("square", square), Shared::new("rice", rice)]
+    vec![Shared::new("square", "vec2f", square), Shared::new("rice", "vec2f", rice)]
 }
 
 /// What `NAME_steepness` takes between the slopes' statistics and the tables, behind a comma.

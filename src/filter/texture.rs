@@ -97,7 +97,7 @@ pub(super) fn swizzle(map: &ColorMap) -> &'static str {
 }
 
 /// A color as WGSL, one number where the channels agree: every constructor of a vector takes a scalar.
-pub(super) fn color(map: &ColorMap, value: [f32; 4]) -> String {
+pub(crate) fn color(map: &ColorMap, value: [f32; 4]) -> String {
     let channels = &value[..map.channels()];
     if channels.iter().all(|channel| channel.to_bits() == channels[0].to_bits()) {
         return format!("{}({})", color_type(map), number(channels[0]));

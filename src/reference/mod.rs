@@ -2,6 +2,7 @@
 //!
 //! Imports nothing of the crate and shares no formula with a shader, so that agreement means something.
 
+pub mod combine;
 pub mod curvature;
 pub mod footprint;
 pub mod height;

@@ -8,6 +8,7 @@ use super::Scene;
 use crate::accuracy::Ranges;
 use crate::cost::{self, Cost};
 use crate::driver::Called;
+use crate::filter::combine;
 use crate::filter::height::HeightTier;
 use crate::filter::irradiance::IrradianceTier;
 use crate::filter::slope::SlopeTier;
@@ -24,6 +25,9 @@ const LADDER: [Tier; 3] = [Tier::ClosedForm(Kernel::Fast), Tier::ClosedForm(Kern
 
 /// The shelf's loops over the knots of a map.
 const LOOPS: [&str; 3] = ["texture_knots", "height_knots", "percentile_knots"];
+
+/// Exports with a loop over the nodes of the visible slopes.
+const NODES: [&str; 2] = ["lit", "radiance"];
 
 /// Where a scene of heights asks for no accuracy and no tier keeps the default, how many times the closest one's bound
 /// is near enough.
@@ -55,11 +59,23 @@ pub(super) struct Candidate {
     /// The part of the bound that the choice is free to lower.
     pub judged: f32,
     /// The exports, before the shelf is linked.
-    pub glue: String,
+    pub text: Text,
     /// The whole text, validated.
     pub linked: Shader,
     /// That of the most expensive export.
     pub cost: Cost,
+}
+
+/// The functions of a tier.
+#[derive(Default)]
+pub(super) struct Text {
+    /// The exports and what they call that is not of the shelf.
+    pub glue: String,
+    /// Of these what the filter's body calls, C0 where it stands on that; of a scene of values C0 itself.
+    pub beneath: String,
+    /// The body of the mean color over a normal distribution of slopes of `mean_slope` and `slope_covariance`, all of
+    /// them seen alike, where the scene colors by slopes.
+    pub alike: String,
 }
 
 impl Scene {
@@ -113,9 +129,10 @@ impl Scene {
     fn textures(&self, map: &ColorMap) -> Result<Vec<Candidate>, Error> {
         let candidate = |tier: Tier| {
             let filter = filter(map, self.colors, tier, self.chosen_ranges())?;
-            let mut glue = self.texture_glue(map, tier, self.chosen_ranges(), &filter);
-            glue += &self.driven("texture", color_type(map), "", &filter.tables);
-            self.candidate(tier.to_string(), Over::Values, filter.bound.value(), filter, glue)
+            let beneath = self.texture_glue(map, tier, self.chosen_ranges(), &filter);
+            let glue = beneath.clone() + &self.driven("texture", color_type(map), "", &filter.tables);
+            let text = Text { glue, beneath, ..Text::default() };
+            self.candidate(tier.to_string(), Over::Values, filter.bound.value(), filter, text)
         };
         self.tiers().into_iter().map(candidate).collect()
     }
@@ -126,19 +143,30 @@ impl Scene {
         over: Over,
         judged: f32,
         filter: Filter,
-        glue: String,
+        text: Text,
     ) -> Result<Candidate, Error> {
+        let linked = self.linked(&text.glue)?;
+        let cost = self.cost(&linked, &self.exports(&text.glue), &filter.tables, filter.trips);
+        Ok(Candidate { label, over, filter, judged, text, linked, cost })
+    }
+
+    /// The whole text, validated.
+    pub(super) fn linked(&self, glue: &str) -> Result<Shader, Error> {
         let path = format!("{}.wgsl", self.name);
-        let linked = prefilter_wgsl::link(&glue)
+        prefilter_wgsl::link(glue)
             .map_err(|collision| Error::Collision { path: path.clone(), collision })
-            .and_then(|text| Shader::new(&path, text))?;
-        let mut trips = BTreeMap::from(LOOPS.map(|name| (name.to_owned(), filter.trips)));
+            .and_then(|text| Shader::new(&path, text))
+    }
+
+    /// The cost of the most expensive export.
+    pub(super) fn cost(&self, linked: &Shader, exports: &[Export], tables: &[Table], trips: usize) -> Cost {
+        let mut trips = BTreeMap::from(LOOPS.map(|name| (name.to_owned(), trips)));
+        trips.extend(NODES.map(|export| (format!("{}_{export}", self.name), combine::NODES)));
         trips.extend(self.driver.map(|driver| (format!("{}_color", self.name), driver.trips())));
         let (module, info) = linked.parsed();
-        let table_bytes = filter.tables.iter().map(Table::bytes).sum();
-        let calls = self.exports(&glue).into_iter().filter_map(|export| cost::call(module, info, &export.name, &trips));
-        let cost = Cost { table_bytes, ..calls.max_by_key(|cost| cost.weight()).unwrap_or_default() };
-        Ok(Candidate { label, over, filter, judged, glue, linked, cost })
+        let table_bytes = tables.iter().map(Table::bytes).sum();
+        let calls = exports.iter().filter_map(|export| cost::call(module, info, &export.name, &trips));
+        Cost { table_bytes, ..calls.max_by_key(|cost| cost.weight()).unwrap_or_default() }
     }
 
     /// The export of the driver, where there is one, which calls `NAME_FUNCTION`; `given` are the parameters of that

@@ -73,10 +73,37 @@ impl Scene {
                 refused(format!("has more than one filter, {one} and {other}; make a scene of each"))
             }
             (None, _) => refused(
-                "filters nothing; give it a `texture`, a `height`, a `height_percentile`, a `slope`, a `steepness` or \
-                 `irradiance`"
+                "filters nothing; give it a `texture`, a `height`, a `height_percentile`, a `slope`, a `steepness`, \
+                 `irradiance` or a `combination`"
                     .into(),
             ),
+        }
+    }
+
+    /// Whether the settings go with a combination.
+    ///
+    /// # Errors
+    /// Another filter, or a setting that belongs to its layers.
+    pub(super) fn combines(&self) -> Result<(), Error> {
+        let slopes = self.slope_tier.map(|tier| format!("a tier of slopes, {tier}"));
+        let irradiance = self.irradiance_tier.filter(|_| self.irradiance.is_none());
+        let settings = [
+            self.map().map(|_| "a color map of its own".to_owned()),
+            self.driver.map(|_| "a driver".to_owned()),
+            self.tier.map(|tier| format!("a color map's tier, {tier}")),
+            self.height_tier.map(|tier| format!("a tier of heights, {tier}")),
+            slopes,
+            self.ranges.map(|_| "`ranges`".to_owned()),
+        ];
+        if let Some(setting) = settings.into_iter().flatten().next() {
+            let what = format!("the combination `{}` goes without {setting}: give it to a layer", self.name);
+            return Err(Error::Conflict(what));
+        }
+        match irradiance {
+            Some(tier) => {
+                Err(Error::Conflict(format!("{tier} is a tier of `irradiance`, which `{}` has not", self.name)))
+            }
+            None => Ok(()),
         }
     }
 
@@ -99,6 +126,7 @@ impl Scene {
             irradiance_tier.map(|tier| format!("a tier of irradiance, {tier}")),
             hidden.then(|| "a `microsurface`, which hides heights".to_owned()),
             (self.ranges.is_some() && !mapped).then(|| "`ranges`, which are those of values".to_owned()),
+            self.reflectance.map(|_| "a `reflectance`, which a combination has".to_owned()),
             (percentiles && self.microsurface.perturbed)
                 .then(|| "noise on the heights, which has no percentile".to_owned()),
         ];

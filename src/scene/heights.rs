@@ -1,6 +1,6 @@
 //! The tiers of heights that a scene tries.
 
-use super::candidate::{arguments, parameters, Candidate, Over};
+use super::candidate::{arguments, parameters, Candidate, Over, Text};
 use super::Scene;
 use crate::filter::height::glue::{given, Glue};
 use crate::filter::height::skewed::skewed;
@@ -35,8 +35,9 @@ impl Scene {
                     .text(&filter);
                 let driven = self.driven("height", color_type(map), &given(surface), &filter.tables);
                 let glue = glue + &driven + "\n" + &own;
+                let text = Text { glue, beneath: own.clone(), ..Text::default() };
                 let judged = if self.height_tier.is_some() { texture.bound } else { filter.bound };
-                candidates.push(self.candidate(label, Over::Heights(tier), judged.value(), filter, glue)?);
+                candidates.push(self.candidate(label, Over::Heights(tier), judged.value(), filter, text)?);
             }
         }
         Ok(candidates)
@@ -71,6 +72,7 @@ impl Scene {
         let glue =
             Glue { name, map, tier, label: &label, surface, percentile: false, parameters: &parameters }.text(&filter);
         let glue = glue + &self.driven("height", color_type(map), &given(surface), &filter.tables);
-        self.candidate(label, Over::Heights(tier), filter.bound.value(), filter, glue)
+        let text = Text { glue, ..Text::default() };
+        self.candidate(label, Over::Heights(tier), filter.bound.value(), filter, text)
     }
 }

@@ -1,6 +1,6 @@
 //! The tiers of irradiance that a scene tries.
 
-use super::candidate::{parameters, Candidate, Over};
+use super::candidate::{parameters, Candidate, Over, Text};
 use super::Scene;
 use crate::filter::irradiance::{glue, irradiance, IrradianceTier, GIVEN};
 use crate::transfer::irradiance::Irradiance;
@@ -10,13 +10,36 @@ use crate::Error;
 const NORMALS: [IrradianceTier; 2] = [IrradianceTier::ThreeGaussians, IrradianceTier::FourGaussians];
 
 impl Scene {
+    /// Light from all around on the slopes of a rough surface that a view sees, and Lambert's cosine of one light.
+    ///
+    /// Exports `NAME_irradiance(mean_slope, slope_covariance, view, x, y, z, …)`, the mean irradiance over the normals
+    /// that are seen, x, y and z being the axes of the tangent frame in the environment's space, and
+    /// `NAME_lambert(mean_slope, slope_covariance, view, light)`, the mean of max(n · l, 0). With [`Colors::Dynamic`]
+    /// the environment is a texture of nine texels.
+    ///
+    /// Bounds are for views from 5 degrees above the mean plane, mean slopes up to 0.36 and slope deviations up to 1
+    /// (of [`IrradianceTier::Points`] 0.3) with correlations up to 0.9; that of Lambert's cosine is 0.03 besides.
+    ///
+    /// ```
+    /// use prefilter::{Irradiance, Scene};
+    /// let sky = Irradiance::from_equirectangular(64, 32, &[[0.4, 0.6, 1.0]; 64 * 32])?;
+    /// let module = Scene::new("dune").irradiance(sky).module()?;
+    /// let names: Vec<_> = module.exports().iter().map(|export| export.name.as_str()).collect();
+    /// assert_eq!(names, ["dune_irradiance", "dune_lambert"]);
+    /// # Ok::<(), prefilter::Error>(())
+    /// ```
+    #[must_use]
+    pub fn irradiance(self, light: Irradiance) -> Self {
+        Self { irradiance: Some(light), ..self }
+    }
+
     pub(super) fn irradiances(&self, light: &Irradiance) -> Result<Vec<Candidate>, Error> {
         let candidate = |tier: IrradianceTier| {
             let filter = irradiance(light, self.colors, tier);
             let label = tier.to_string();
             let glue = glue(&self.name, tier, &label, &parameters(&filter.tables), &filter.body)
                 + &self.driven("irradiance", "vec3f", GIVEN, &filter.tables);
-            self.candidate(label, Over::Normals(tier), filter.bound.value(), filter, glue)
+            self.candidate(label, Over::Normals(tier), filter.bound.value(), filter, Text { glue, ..Text::default() })
         };
         self.irradiance_tier.map_or(NORMALS.to_vec(), |tier| vec![tier]).into_iter().map(candidate).collect()
     }

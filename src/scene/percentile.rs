@@ -1,6 +1,6 @@
 //! The candidate of a scene of percentiles: there is only one.
 
-use super::candidate::{parameters, Candidate, Over};
+use super::candidate::{parameters, Candidate, Over, Text};
 use super::Scene;
 use crate::filter::height::glue::Glue;
 use crate::filter::height::HeightTier;
@@ -15,6 +15,12 @@ impl Scene {
         let filter = filter(map, self.colors, surface)?;
         let parameters = parameters(&filter.tables);
         let glue = Glue { name, map, tier, label, surface, percentile: true, parameters: &parameters }.text(&filter);
-        self.candidate(label.to_owned(), Over::Heights(tier), filter.bound.value(), filter, glue)
+        self.candidate(
+            label.to_owned(),
+            Over::Heights(tier),
+            filter.bound.value(),
+            filter,
+            Text { glue, ..Text::default() },
+        )
     }
 }

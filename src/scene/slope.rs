@@ -1,6 +1,6 @@
 //! The tiers of slopes that a scene tries, and what their bounds hold for.
 
-use super::candidate::{arguments, parameters, Candidate, Over};
+use super::candidate::{arguments, parameters, Candidate, Over, Text};
 use super::Scene;
 use crate::filter::height::variation;
 use crate::filter::slope::{floor, given, glue, over, steepest, step_error, texture_ranges, SlopeTier};
@@ -12,6 +12,33 @@ use crate::Error;
 const SLOPES: [SlopeTier; 2] = [SlopeTier::Gaussian, SlopeTier::Pair];
 
 impl Scene {
+    /// Cs: color by one component of the slope, of those slopes of a rough surface that a view sees: cliffs that face a
+    /// direction, snow and rain from one side.
+    ///
+    /// Exports `NAME_slope(mean_slope, slope_covariance, view, direction, …)`, the mean color over the slopes'
+    /// components along a horizontal vector of length 1 at most. A facet of the slope s has a normal along
+    /// (−s.x, −s.y, 1), and counts by its area in the picture.
+    ///
+    /// The ranges are those of the component's mean and deviation over all slopes. Bounds are for views above the
+    /// horizon of the mean surface, for mean slopes up to 1 or the largest mean, and for deviations of the component
+    /// from a thousandth of that, or from a tenth of the largest deviation where that is less.
+    ///
+    /// ```
+    /// use prefilter::{Accuracy, ColorMap, Scene};
+    /// let dune = ColorMap::gradient([(-0.6, [0.3, 0.2, 0.1]), (0.1, [0.8, 0.6, 0.4]), (0.6, [0.9, 0.8, 0.7])])?;
+    /// let accuracy = Accuracy::max_filter_error(0.02).without_tables();
+    /// let module = Scene::new("dune").slope(dune).accuracy(accuracy).module()?;
+    /// assert_eq!(
+    ///     module.exports()[0].signature,
+    ///     "fn dune_slope(mean_slope: vec2f, slope_covariance: vec3f, view: vec3f, direction: vec2f) -> vec3f"
+    /// );
+    /// # Ok::<(), prefilter::Error>(())
+    /// ```
+    #[must_use]
+    pub fn slope(self, map: ColorMap) -> Self {
+        Self { slope: Some(map), ..self }
+    }
+
     pub(super) fn slopes(&self, map: &ColorMap) -> Result<Vec<Candidate>, Error> {
         let (name, ranges) = (&self.name, self.chosen_ranges());
         let tiers = self.slope_tier.map_or(SLOPES.to_vec(), |tier| vec![tier]);
@@ -21,14 +48,16 @@ impl Scene {
                 let below = texture_ranges(tier, ranges);
                 let texture = filter(map, self.colors, texture_tier, below)?;
                 let own = self.texture_glue(map, texture_tier, below, &texture);
-                let filter = over(&texture, map, tier, ranges, name, &arguments(&texture.tables));
+                let on = |tier| over(&texture, map, tier, ranges, name, &arguments(&texture.tables));
+                let (filter, alike) = (on(tier), on(SlopeTier::Unweighted).body);
                 let label = format!("{tier} over {texture_tier}");
                 let glue = glue(name, map, tier, &label, &parameters(&filter.tables), &filter.body)
                     + &self.driven("slope", color_type(map), given(tier), &filter.tables)
                     + "\n"
                     + &own;
+                let text = Text { glue, beneath: own.clone(), alike };
                 let judged = if self.slope_tier.is_some() { texture.bound } else { filter.bound };
-                candidates.push(self.candidate(label, Over::Slopes(tier), judged.value(), filter, glue)?);
+                candidates.push(self.candidate(label, Over::Slopes(tier), judged.value(), filter, text)?);
             }
         }
         Ok(candidates)

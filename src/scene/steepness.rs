@@ -1,12 +1,16 @@
 //! Scenes of steepness, which have a single candidate.
 
-use super::candidate::{parameters, Candidate, Over};
+use super::candidate::{parameters, Candidate, Over, Text};
 use super::Scene;
 use crate::filter::height::variation;
-use crate::filter::steepness::{filter, floor, glue, GIVEN, STEP};
+use crate::filter::shared::statements;
+use crate::filter::steepness::{filter, floor, glue, shared, GIVEN, STEP};
 use crate::filter::texture::color_type;
 use crate::transfer::color_map::ColorMap;
 use crate::Error;
+
+/// The view to which all slopes count alike.
+const ALIKE: &str = "    let view = vec3f(0.0, 0.0, 1.0);\n";
 
 impl Scene {
     /// Cs by steepness: color by the length |s| of the slopes s of a rough surface that a view sees, such as rock on
@@ -39,7 +43,9 @@ impl Scene {
         let filter = filter(map, self.colors, self.chosen_ranges());
         let glue = glue(&self.name, map, &parameters(&filter.tables), &filter.body)
             + &self.driven("steepness", color_type(map), GIVEN, &filter.tables);
-        self.candidate("one distribution of Rice".to_owned(), Over::Steepness, filter.bound.value(), filter, glue)
+        let alike = ALIKE.to_owned() + &statements(&shared()) + &filter.body;
+        let text = Text { glue, beneath: String::new(), alike };
+        self.candidate("one distribution of Rice".to_owned(), Over::Steepness, filter.bound.value(), filter, text)
     }
 
     /// What the bound of a scene of steepness is made of, and what it holds for.

@@ -15,6 +15,27 @@ fn irradiance_turned(means: normals_means, x: vec3f, y: vec3f, z: vec3f) -> norm
     return normals_means(frame * m.first, vec3f(turned[0].xy, turned[1].y), turned[2]);
 }
 
+/// The means where all facets have one slope, in another frame.
+///
+/// Source: the definition, the normal n = F (−s, 1) / √(1 + |s|²) and n nᵀ.
+/// Domain: slope in [-3, 3], x unit, y unit, z unit.
+/// Error: 1e-6 absolute; f32 rounding.
+fn irradiance_facet(slope: vec2f, x: vec3f, y: vec3f, z: vec3f) -> normals_means {
+    let s = clamp(slope, vec2f(-1e9), vec2f(1e9));
+    let n = (z - s.x * x - s.y * y) * inverseSqrt(1.0 + dot(s, s));
+    return normals_means(n, n.xxy * n.xyy, n * n.z);
+}
+
+/// Lambert's cosine on a facet of the given slope, in the tangent frame.
+///
+/// Source: the definition, max(n · l, 0) with n = (−s, 1) / √(1 + |s|²).
+/// Domain: slope in [-3, 3], light unit.
+/// Error: 3e-7 absolute; f32 rounding.
+fn irradiance_cosine(slope: vec2f, light: vec3f) -> f32 {
+    let s = clamp(slope, vec2f(-1e9), vec2f(1e9));
+    return max((light.z - dot(light.xy, s)) * inverseSqrt(1.0 + dot(s, s)), 0.0);
+}
+
 /// Mean irradiance from an environment: the texels of one row are the colors of the polynomial 1, n.x, n.y, n.z,
 /// n.x n.x, n.x n.y, n.y n.y, n.x n.z and n.y n.z that the irradiance of order 2 is; what n.z n.z has is in those of
 /// the other squares and the constant.

@@ -50,6 +50,7 @@ pub const FILES: &[File] = shelf![
     "visibility/visibility.wgsl",
     "driver/moments.wgsl",
     "driver/slope_moments.wgsl",
+    "filter/combine.wgsl",
     "filter/height.wgsl",
     "filter/irradiance.wgsl",
     "filter/perturbed.wgsl",

@@ -3,6 +3,7 @@
 
 use prefilter::gpu::Address;
 use prefilter::reference::irradiance::ramp;
+use prefilter::reference::normals::of_slope;
 use prefilter::table::{Format, Level, Sampling, Table};
 
 use super::Row;
@@ -45,6 +46,11 @@ fn lambert(x: &[f64]) -> [f64; 1] {
     [ramp(mean, (square - mean * mean).max(1e-12).sqrt())]
 }
 
+/// The means of a single normal, turned.
+fn facet(x: &[f64]) -> [f64; 9] {
+    turned(&[&of_slope([x[0], x[1]]), &x[2..]].concat())
+}
+
 pub(super) fn rows() -> Vec<Row> {
     let texels = polynomial().iter().flat_map(|&[red, green, blue]| [red, green, blue, 0.0]).collect();
     let levels = vec![Level { width: 9, height: 1, depth: 1, texels }];
@@ -54,5 +60,10 @@ pub(super) fn rows() -> Vec<Row> {
         Row::new("irradiance_turned", turned),
         Row::new("irradiance_read", read).table(environment, Address::Clamp),
         Row::new("irradiance_lambert", lambert),
+        Row::new("irradiance_facet", facet),
+        Row::new("irradiance_cosine", |x| {
+            let normal = of_slope([x[0], x[1]]);
+            [normal.iter().zip(&x[2..5]).map(|(n, l)| n * l).sum::<f64>().max(0.0)]
+        }),
     ]
 }

@@ -3,6 +3,7 @@
 //! A reference is the function's definition by another method: an integral by quadrature, an inverse by bisection. It
 //! never repeats a shader's formula.
 
+mod combine;
 mod curvature;
 mod footprint;
 mod grid;
@@ -140,6 +141,7 @@ impl Row {
 /// All rows.
 pub fn all() -> Vec<Row> {
     let rooms = [
+        combine::rows(),
         curvature::rows(),
         footprint::rows(),
         grid::rows(),

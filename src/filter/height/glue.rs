@@ -27,36 +27,8 @@ pub(crate) struct Glue<'a> {
 impl Glue<'_> {
     /// Every function but `NAME_texture`; the body of `NAME_height` is the filter's.
     pub(crate) fn text(&self, filter: &Filter) -> String {
-        let Self { name, surface, .. } = *self;
-        let mut text = self.height(&filter.body);
-        let shared = shared(self.tier, surface);
-        let lambdas = statements(&shared);
-        let within = |hotspot| within(self.tier, hotspot, surface);
-        let slopes = slopes(surface);
-        if surface.shadowing {
-            text += &format!(
-                "
-/// Share of what the view sees of `{name}` that is lit: 0 below a horizon. {}
-fn {name}_visibility({slopes}, view: vec3f, light: vec3f) -> f32 {{
-{lambdas}    return visibility_shadowing(seen, lit);
-}}
-",
-                within(surface.hotspot)
-            );
-        }
-        if surface.masking {
-            let seen = statements(&shared[..1]);
-            text += &format!(
-                "
-/// Share of `{name}` that the view sees: 0 below the horizon. {}
-fn {name}_masking({slopes}, view: vec3f) -> f32 {{
-{seen}    return visibility_masking(seen);
-}}
-",
-                within(false)
-            );
-        }
-        text
+        let Self { name, tier, surface, .. } = *self;
+        self.height(&filter.body) + &shares(name, tier, surface)
     }
 
     fn height(&self, body: &str) -> String {
@@ -81,6 +53,39 @@ fn {name}_height({}{}{}, view: vec3f{light}{parameters}) -> {} {{
             statements(&shared(tier, surface))
         )
     }
+}
+
+/// `NAME_visibility` and `NAME_masking`, where the surface has them.
+pub(crate) fn shares(name: &str, tier: HeightTier, surface: Microsurface) -> String {
+    let mut text = String::new();
+    let shared = shared(tier, surface);
+    let within = |hotspot| within(tier, hotspot, surface);
+    let slopes = slopes(surface);
+    if surface.shadowing {
+        text += &format!(
+            "
+/// Share of what the view sees of `{name}` that is lit: 0 below a horizon. {}
+fn {name}_visibility({slopes}, view: vec3f, light: vec3f) -> f32 {{
+{}    return visibility_shadowing(seen, lit);
+}}
+",
+            within(surface.hotspot),
+            statements(&shared)
+        );
+    }
+    if surface.masking {
+        text += &format!(
+            "
+/// Share of `{name}` that the view sees: 0 below the horizon. {}
+fn {name}_masking({slopes}, view: vec3f) -> f32 {{
+{}    return visibility_masking(seen);
+}}
+",
+            within(false),
+            statements(&shared[..1])
+        );
+    }
+    text
 }
 
 /// What shares may be off by: the error of a Λ relative to 1 + Λ, twice that and 6e-6 of the independence of azimuths

@@ -45,12 +45,12 @@ pub(crate) fn shared(tier: HeightTier, surface: Microsurface) -> Vec<Shared> {
             format!("{function}(smith_parameter_level({direction}, slope_covariance))")
         }
     };
-    let mut shared = vec![Shared::new("seen", of("view"))];
+    let mut shared = vec![Shared::new("seen", "f32", of("view"))];
     if surface.shadowing && surface.hotspot {
-        shared.push(Shared::new("apart", "visibility_independence(view, light)"));
-        shared.push(Shared::new("lit", format!("visibility_correlated(seen, {}, apart)", of("light"))));
+        shared.push(Shared::new("apart", "f32", "visibility_independence(view, light)"));
+        shared.push(Shared::new("lit", "f32", format!("visibility_correlated(seen, {}, apart)", of("light"))));
     } else if surface.shadowing {
-        shared.push(Shared::new("lit", of("light")));
+        shared.push(Shared::new("lit", "f32", of("light")));
     }
     shared
 }
