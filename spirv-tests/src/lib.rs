@@ -18,3 +18,4 @@ pub mod rough;
 pub mod rows;
 pub mod scenes;
 pub mod signature;
+pub mod snake;

@@ -29,6 +29,7 @@ pub fn ci() -> Result<(), String> {
     // The tests' build takes half a minute where the optimized one, which people run, would first compile for two.
     summary.step("demo --quick", || run(test_binary("demo")?.arg("--quick")));
     summary.step("rough --quick", || run(test_binary("rough")?.arg("--quick")));
+    summary.step("snake --quick", || run(test_binary("snake")?.arg("--quick")));
     summary.step("benchmark of links", || run(&mut cargo(["bench", "-p", "prefilter", "--bench", "link"])));
     summary.finish()
 }

@@ -23,10 +23,10 @@ struct Arguments {
 
 #[derive(Subcommand)]
 enum Command {
-    /// Filter a terrain and a gravel, then a rough surface; print how far each method is from the truth, and write
-    /// pictures and a page.
+    /// Filter a terrain and a gravel, then a rough surface and a snake; print how far each method is from the truth,
+    /// and write pictures and a page.
     Demo {
-        /// Passed on to both demos, `--help` and `--quick` among them.
+        /// Passed on to every demo, `--help` and `--quick` among them.
         #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
         arguments: Vec<String>,
     },
@@ -61,8 +61,10 @@ fn main() -> ExitCode {
 fn demo(arguments: &[String]) -> Result<(), String> {
     demand::meet(&[Demand::Vulkan])?;
     demand::device(|| run(&mut cargo(["run", "--quiet", "--release", "-p", "spirv-tests", "--bin", "device"])))?;
-    run(cargo(["run", "--release", "-p", "spirv-tests", "--bin", "demo", "--"]).args(arguments))?;
-    run(cargo(["run", "--release", "-p", "spirv-tests", "--bin", "rough", "--"]).args(arguments))
+    for binary in ["demo", "rough", "snake"] {
+        run(cargo(["run", "--release", "-p", "spirv-tests", "--bin", binary, "--"]).args(arguments))?;
+    }
+    Ok(())
 }
 
 fn test(full: bool, arguments: &[String]) -> Result<(), String> {

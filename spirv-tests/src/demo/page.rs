@@ -15,6 +15,13 @@ const ROUGH: &str = "<h2>a rough surface, colored by height</h2>
 <img src=\"rough.png\" alt=\"a rough surface by three methods and in truth; made by the binary rough\">
 ";
 
+/// And so does `snake`.
+const SNAKE: &str = "<h2>a snake, colored by a pattern and by the slopes of its scales</h2>
+<p>Scales are red on one side: which side is seen depends on where the body goes, <a href=\"snake.csv\">the errors as a
+table</a>.</p>
+<img src=\"snake.png\" alt=\"a snake by three methods and in truth, near and far; made by the binary snake\">
+";
+
 /// A picture's name in file names and its label.
 struct Column<'a> {
     stem: String,
@@ -89,7 +96,7 @@ fn html(device: &str, sizes: Sizes, all: &[Judged]) -> String {
     for judged in all {
         section(&mut page, judged);
     }
-    page + ROUGH + "</main>\n"
+    page + ROUGH + SNAKE + "</main>\n"
 }
 
 fn section(page: &mut String, judged: &Judged) {

@@ -30,7 +30,11 @@ fn largest(a: f32, b: f32) -> f32 {
 
 /// The sizes of a picture's errors; NaN where a pixel is.
 pub fn deviation(picture: &Picture, truth: &Picture) -> Deviation {
-    let mut errors = errors(picture, truth);
+    sizes(errors(picture, truth))
+}
+
+/// The sizes of errors; NaN where one is.
+pub fn sizes(mut errors: Vec<f32>) -> Deviation {
     errors.sort_by(f32::total_cmp);
     let rank = (0.99 * errors.len() as f64) as usize;
     let at = |rank: usize| errors.get(rank).map_or(f64::NAN, |&error| f64::from(error));

@@ -4,6 +4,8 @@ pub mod canvas;
 pub mod measure;
 pub mod picture;
 pub mod pixel;
+pub mod taps;
+pub mod vector;
 
 /// Why a report of pictures stopped.
 #[derive(Debug, thiserror::Error)]

@@ -24,10 +24,22 @@ impl Picture {
         Self { pixels, ..*self }
     }
 
+    /// The picture with every pixel as a square of several a side.
+    pub fn enlarged(&self, times: usize) -> Self {
+        let pixels = enlarged(&self.pixels, self.width, times);
+        Self { width: self.width * times, height: self.height * times, pixels }
+    }
+
     /// The picture in 8-bit sRGB (IEC 61966-2-1), three bytes a pixel.
     pub fn encoded(&self) -> Vec<[u8; 3]> {
         self.pixels.iter().map(|pixel| pixel.map(encode)).collect()
     }
+}
+
+/// Rows of `width` pixels each, with every pixel as a square of several a side.
+pub fn enlarged<T: Copy>(pixels: &[T], width: usize, times: usize) -> Vec<T> {
+    let wide = |row: &[T]| row.iter().flat_map(|&pixel| std::iter::repeat_n(pixel, times)).collect::<Vec<T>>();
+    pixels.chunks(width.max(1)).flat_map(|row| wide(row).repeat(times)).collect()
 }
 
 /// The byte that shows a linear value.
@@ -73,6 +85,13 @@ mod tests {
         // Half of the light is byte 188 (187.5 before rounding), a fifth of the bytes' range is 3.3 % of the light.
         assert_eq!([0.0, 0.5, 1.0, 2.0, -1.0].map(encode), [0, 188, 255, 255, 0]);
         assert_eq!(encode(0.0331), 51);
+    }
+
+    #[test]
+    fn enlarged_pixels_are_squares() {
+        assert_eq!(enlarged(&[1, 2, 3, 4], 2, 2), [1, 1, 2, 2, 1, 1, 2, 2, 3, 3, 4, 4, 3, 3, 4, 4]);
+        let picture = Picture { width: 1, height: 2, pixels: vec![[0.1; 3], [0.2; 3]] }.enlarged(3);
+        assert_eq!((picture.width, picture.height, picture.pixels.len()), (3, 6, 18));
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! Every method on every view under every light against the truth, over several surfaces.
 
-use super::known::{self, Known, ALL_TAPS};
+use super::known::{self, Known};
 use super::method::{Method, Renderer, Shown};
 use super::relief::Relief;
 use super::scene::{self, LIGHTS};
@@ -11,6 +11,7 @@ use super::view::View;
 use super::Error;
 use crate::gap::figure::Figure;
 use crate::imaging::pixel::Pixel;
+use crate::imaging::taps::ALL_TAPS;
 use prefilter::gpu::Device;
 
 /// Lights.

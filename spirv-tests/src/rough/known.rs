@@ -6,20 +6,9 @@
 
 use super::surface::{Filtered, Surface};
 use super::view::{Ray, View};
-use crate::imaging::pixel::{fill, PIXEL_DEVIATION};
+use crate::imaging::pixel::fill;
+use crate::imaging::taps::{places, ALL_TAPS, TAP_DEVIATION};
 use prefilter::reference::normal::{cumulative, density};
-
-/// Taps an axis of a pixel.
-const TAPS: usize = 2;
-
-/// Taps of a pixel.
-pub const ALL_TAPS: usize = TAPS * TAPS;
-
-/// Where the taps are, in deviations of the pixel filter: the means of equally probable parts of a normal distribution.
-const OFFSETS: [f64; TAPS] = [-0.797_884_561, 0.797_884_561]; // √(2/π)
-
-/// Deviation of such a part: with the offsets' it makes up the filter's.
-const NARROWING: f64 = 0.602_810_275; // √(1 − 2/π)
 
 /// Places at which slopes along the view are integrated over.
 const SLOPES: usize = 48;
@@ -56,13 +45,8 @@ pub fn picture<const LIGHTS: usize>(
         facing: [f64::NAN; LIGHTS],
     };
     let mut picture = vec![[unknown; ALL_TAPS]; view.width * view.height];
-    let work = |column: usize, row: usize| {
-        let [right, down] = view.middle(column, row);
-        std::array::from_fn(|tap| {
-            let [across, under] = [OFFSETS[tap % TAPS], OFFSETS[tap / TAPS]];
-            known(surface, view, lights, [right + PIXEL_DEVIATION * across, down + PIXEL_DEVIATION * under])
-        })
-    };
+    let work =
+        |column: usize, row: usize| places(view.middle(column, row)).map(|place| known(surface, view, lights, place));
     fill(&mut picture, view.width, &work, &|| ());
     picture
 }
@@ -102,7 +86,7 @@ fn footprint(ray: &Ray) -> [f64; 3] {
     let width = ray.width(ray.crossing(0.0));
     let many = width * width / (1.0 + width * width);
     let [x, y] = [0, 1].map(|axis| ray.way[axis] / ray.way[2]);
-    let square = (PIXEL_DEVIATION * NARROWING * width).powi(2);
+    let square = (TAP_DEVIATION * width).powi(2);
     [1.0 + many * x * x, many * x * y, 1.0 + many * y * y].map(|part| square * part)
 }
 

@@ -1,0 +1,55 @@
+//! Colors a snake by its scales' slopes on the device, judges every method against rays to all of its scales, and
+//! writes a picture and a table.
+#![deny(missing_docs)]
+
+use clap::Parser;
+use indicatif::{ProgressBar, ProgressStyle};
+use prefilter::gpu::Device;
+use spirv_tests::snake::judge::{judge, Extent};
+use spirv_tests::snake::{page, table, Error};
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+/// Colors a snake by a pattern and by the slopes of its scales, near and far, prints how far each method is from the
+/// truth, and writes a picture and a table.
+#[derive(Parser)]
+struct Arguments {
+    /// Small pictures of one skin.
+    #[arg(long)]
+    quick: bool,
+    /// The folder of the report; made if need be.
+    #[arg(long, value_name = "DIR", default_value = "target/demo")]
+    out: PathBuf,
+}
+
+const FULL: Extent = Extent { size: [246, 168], strata: [8, 16, 32], seeds: 4 };
+const QUICK: Extent = Extent { size: [126, 84], strata: [8, 16, 32], seeds: 1 };
+
+fn main() -> ExitCode {
+    match snake(&Arguments::parse()) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn snake(arguments: &Arguments) -> Result<(), Error> {
+    let extent = if arguments.quick { QUICK } else { FULL };
+    let device = Device::new()?;
+    let bar = ProgressBar::new(extent.rays()).with_style(style());
+    let judged = judge(&device, extent, &|rays| bar.inc(rays))?;
+    bar.finish_and_clear();
+    println!("{}", table::legend(device.label(), extent.size, extent.seeds));
+    println!("{}", table::text(&judged));
+    let written = page::write(&arguments.out, &judged)?;
+    println!("written: {}", written.map(|path| path.display().to_string()).join(", "));
+    Ok(())
+}
+
+/// Rays and the time left.
+fn style() -> ProgressStyle {
+    let template = "snake    {bar:40} {percent:>3} %, {eta} left";
+    ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar())
+}

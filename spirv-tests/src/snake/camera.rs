@@ -1,0 +1,85 @@
+//! From where the snake is seen: a pinhole.
+
+use crate::imaging::vector::{cross, difference, scaled, sum, unit, Vector};
+
+/// A picture of the snake.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct View {
+    /// One word, for tables.
+    pub name: &'static str,
+    /// For people.
+    pub title: &'static str,
+    /// Where the eye is.
+    pub eye: Vector,
+    /// What is in the middle of the picture.
+    pub target: Vector,
+    /// Pixels that an object is wide which is as wide as it is far.
+    pub focal: f64,
+    /// Pixels a row.
+    pub width: usize,
+    /// Rows.
+    pub height: usize,
+    /// How many times pictures are enlarged for people.
+    pub enlarged: usize,
+    /// Strata an axis of each of the two halves of the truth.
+    pub strata: usize,
+    /// Level of the heights that methods see displaced: texels as wide as pixels about.
+    pub level: usize,
+}
+
+/// A ray, and how its way changes from a pixel to the next on the right and the next below.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ray {
+    /// Where it starts.
+    pub from: Vector,
+    /// Where it goes, of any length.
+    pub way: Vector,
+    /// Changes of the way.
+    pub changes: [Vector; 2],
+}
+
+impl View {
+    /// The middle of a pixel, right of and below the picture's.
+    pub fn middle(&self, column: usize, row: usize) -> [f64; 2] {
+        [column as f64 - 0.5 * (self.width as f64 - 1.0), row as f64 - 0.5 * (self.height as f64 - 1.0)]
+    }
+
+    /// The ray of a place in the picture.
+    pub fn ray(&self, [right, down]: [f64; 2]) -> Ray {
+        let ahead = unit(difference(self.target, self.eye));
+        let side = unit(cross(ahead, [0.0, 0.0, 1.0]));
+        let under = cross(ahead, side);
+        let way = sum(scaled(ahead, self.focal), sum(scaled(side, right), scaled(under, down)));
+        Ray { from: self.eye, way, changes: [side, under] }
+    }
+}
+
+impl Ray {
+    /// A unit vector back to the eye.
+    pub fn back(&self) -> Vector {
+        scaled(unit(self.way), -1.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::scene::views;
+    use super::*;
+    use crate::imaging::vector::{dot, length};
+
+    #[test]
+    fn changes_are_derivatives_of_rays() {
+        for view in views([60, 42], [1; 3]) {
+            let ray = view.ray([7.3, -4.1]);
+            for (place, change) in [[8.3, -4.1], [7.3, -3.1]].into_iter().zip(ray.changes) {
+                let moved = difference(view.ray(place).way, ray.way);
+                assert!(length(difference(moved, change)) < 1e-9, "{}: {moved:?}", view.name);
+            }
+            let middle = view.ray([0.0, 0.0]);
+            let target = unit(difference(view.target, view.eye));
+            assert!((dot(target, middle.back()) + 1.0).abs() < 1e-12, "{}", view.name);
+            // Down in the picture is down in the world.
+            assert!(ray.changes[1][2] < 0.0 && (view.width * view.enlarged, view.height * view.enlarged) == (60, 42));
+        }
+    }
+}

@@ -1,0 +1,152 @@
+//! The ways to color a snake that are compared, each as a kernel on the device.
+
+use super::known::Known;
+use super::scene::{Material, DIRECTION};
+use super::skin::{Skin, SIDE};
+use super::truth::Look;
+use super::Error;
+use crate::imaging::taps::{ALL_TAPS, TAP_DEVIATION};
+use prefilter::gpu::{Address, Device, Kernel, Texture, Work};
+use prefilter::table::{Format, Table};
+use prefilter::{
+    Accuracy, Driver, Edge, IrradianceTier, Module, MomentMipmap, Moments, Pixel, Ranges, Scene, SlopeMipmap,
+    SlopeTier, Tier,
+};
+
+/// A way to color.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// The maps at mean value and mean slope.
+    Naive,
+    /// Over all slopes, whichever are seen.
+    All,
+    /// Over the slopes that are seen, by one normal distribution as in the paper.
+    Single,
+    /// By two normal distributions.
+    Ours,
+}
+
+impl Method {
+    /// All of them.
+    pub const ALL: [Self; 4] = [Self::Naive, Self::All, Self::Single, Self::Ours];
+
+    /// Those that the pictures show, besides the truth.
+    pub const SHOWN: [Self; 3] = [Self::Naive, Self::All, Self::Ours];
+
+    /// The name above pictures.
+    pub fn label(self) -> &'static str {
+        match self {
+            Self::Naive => "naive",
+            Self::All => "view-independent",
+            Self::Single => "one distribution",
+            Self::Ours => "ours",
+        }
+    }
+
+    fn text(self) -> &'static str {
+        match self {
+            Self::Naive => include_str!("methods/naive.wgsl"),
+            Self::All => include_str!("methods/all.wgsl"),
+            Self::Single | Self::Ours => include_str!("methods/visible.wgsl"),
+        }
+    }
+
+    /// The modules that the kernel calls.
+    fn modules(self, material: &Material) -> Result<[Module; 3], Error> {
+        let accuracy = Accuracy::default().without_tables();
+        let pixel = Pixel::Round(TAP_DEVIATION as f32);
+        let skin = Scene::new("skin").texture(material.green.clone());
+        let skin = skin.driver(Driver::Moments(Moments { pixel, ..Moments::default() }));
+        let blush = Scene::new("blush").slope(material.red.clone()).ranges(SLOPES);
+        let day = Scene::new("day").irradiance(material.light);
+        let (skin, slopes, light) = match self {
+            Self::Naive => (skin.tier(Tier::Naive), SlopeTier::Unweighted, IrradianceTier::Normal),
+            _ => {
+                let tier = match self {
+                    Self::Ours => SlopeTier::Pair,
+                    Self::Single => SlopeTier::Gaussian,
+                    _ => SlopeTier::Unweighted,
+                };
+                (skin.accuracy(accuracy), tier, IrradianceTier::FourGaussians)
+            }
+        };
+        let blush = blush.slope_tier(slopes).accuracy(accuracy);
+        Ok([skin.module()?, blush.module()?, day.irradiance_tier(light).module()?])
+    }
+}
+
+/// Slopes that occur.
+const SLOPES: Ranges = Ranges { mean: (-2.0, 2.0), deviation: 1.0 };
+
+/// The maps of a skin on a device: the pattern's moments, and slopes with their second table.
+#[derive(Clone, Debug)]
+pub struct Maps([Texture; 3]);
+
+impl Maps {
+    /// Makes and uploads the pyramids.
+    ///
+    /// # Errors
+    /// Those of the device.
+    pub fn new(device: &Device, skin: &Skin) -> Result<Self, Error> {
+        let side = SIDE as u32;
+        let texel = std::f32::consts::TAU / SIDE as f32;
+        let moments = MomentMipmap::new(side, side, &skin.pattern.texels, Edge::Repeat)?;
+        let slopes = SlopeMipmap::from_heights(side, side, &skin.heights, texel, Edge::Repeat)?;
+        let [slopes, cross] = slopes.tables("slopes", Format::Rgba16Float)?;
+        let upload = |table: &Table| device.upload(table, Address::Repeat);
+        let moments = upload(&moments.table("moments", Format::Rg16Float)?)?;
+        Ok(Self([moments, upload(&slopes)?, upload(&cross)?]))
+    }
+}
+
+/// A method ready to color on a device.
+#[derive(Clone, Debug)]
+pub struct Renderer {
+    kernel: Kernel,
+}
+
+impl Renderer {
+    /// Generates and compiles what the method needs.
+    ///
+    /// # Errors
+    /// Those of the scenes and of the device.
+    pub fn new(device: &Device, material: &Material, method: Method) -> Result<Self, Error> {
+        let modules = method.modules(material)?;
+        let host =
+            format!("const tap_deviation = {TAP_DEVIATION:?};\n{}\n{}", include_str!("shade.wgsl"), method.text());
+        let shader = prefilter::link(&modules.each_ref(), &host)?;
+        Ok(Self { kernel: Kernel::new(device, shader.wgsl(), "main")? })
+    }
+
+    /// What is shown of pixels, from what is known of their taps.
+    ///
+    /// # Errors
+    /// Those of the device.
+    pub fn shown(&self, maps: &Maps, known: &[[Option<Known>; ALL_TAPS]]) -> Result<Vec<Look>, Error> {
+        let hits = || known.iter().flatten().flatten();
+        let numbers: Vec<f32> = hits().flat_map(numbers).map(|number| number as f32).collect();
+        let textures: Vec<&Texture> = maps.0.iter().collect();
+        let invocations = hits().count();
+        let work = Work { inputs: &[&numbers], textures: &textures, invocations, output: 8 * invocations };
+        let colors = self.kernel.run(&work)?;
+        let mut shown = colors.chunks_exact(8).map(|numbers| {
+            let color: [f64; 3] = std::array::from_fn(|channel| f64::from(numbers[channel]));
+            let light: [f64; 3] = std::array::from_fn(|channel| f64::from(numbers[4 + channel]) / std::f64::consts::PI);
+            Look { color, lit: std::array::from_fn(|channel| color[channel] * light[channel]), share: 1.0 }
+        });
+        let missed = Look { color: [0.0; 3], lit: [0.0; 3], share: 0.0 };
+        let looks = known.iter().map(|taps| {
+            let looks = taps.map(|tap| tap.map_or(missed, |_| shown.next().unwrap_or(Look::UNKNOWN)));
+            Look::mean(&looks)
+        });
+        Ok(looks.collect())
+    }
+}
+
+/// What a kernel reads of a tap.
+fn numbers(known: &Known) -> Vec<f64> {
+    let Known { position, changes: [right, down], stretch, bends, view, frame } = known;
+    let [x, y, z] = frame;
+    let parts: [&[f64]; 10] = [position, right, down, &[*stretch], bends, view, x, y, z, &DIRECTION];
+    parts.concat()
+}
