@@ -136,6 +136,7 @@ pub fn slopes() -> Result<Vec<(&'static str, Scene)>> {
     let dune = || Scene::new("dune").slope(dune.clone());
     Ok(vec![
         ("slope_default", dune()),
+        ("slope_naive", dune().slope_tier(SlopeTier::Naive)),
         ("slope_unweighted", dune().slope_tier(SlopeTier::Unweighted)),
         ("slope_gaussian", dune().slope_tier(SlopeTier::Gaussian).tier(FAST)),
         ("slope_pair", dune().slope_tier(SlopeTier::Pair).tier(EXACT)),

@@ -20,10 +20,17 @@ use crate::transfer::color_map::ColorMap;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum SlopeTier {
+    /// The map at the mean slope: no filtering at all, to compare with. A step errs by up to 1.
+    Naive,
     /// The distribution of all slopes, whatever the view: exact for flat meshes with maps of normals. A step errs by up
     /// to 0.58 over surfaces that are rough.
     Unweighted,
-    /// A normal distribution with the mean and covariance of D_s, as in the paper: 4.7e-2.
+    /// A normal distribution with the mean and covariance of D_s: 4.7e-2.
+    ///
+    /// This is the paper's representation, "a single Gaussian whose parameters can be computed directly from" the mean
+    /// and covariance of all slopes. How the paper computes them is in a supplement that is not public; here they are
+    /// the exact moments, whose derivation `wgsl/visibility/slopes.wgsl` has at its top.
+    #[doc(alias = "Paper")]
     Gaussian,
     /// Two normal distributions with the mean and covariance of D_s together: 1.2e-2. Evaluates the color map twice,
     /// once where one is within 5.1e-3.
@@ -33,6 +40,7 @@ pub enum SlopeTier {
 impl std::fmt::Display for SlopeTier {
     fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         formatter.write_str(match self {
+            Self::Naive => "the mean slope",
             Self::Unweighted => "all slopes alike",
             Self::Gaussian => "one normal distribution",
             Self::Pair => "two normal distributions",
@@ -43,6 +51,7 @@ impl std::fmt::Display for SlopeTier {
 /// Step errors at the horizon of the mean surface, where they are largest: 0.578 between the normal distribution and
 /// that of Rayleigh; `worst_steps_keep_the_figures_of_their_tiers` in `spirv-tests/tests/slope/figures.rs` measures
 /// them on the device.
+const NAIVE: f64 = 1.0;
 const UNWEIGHTED: f64 = 0.579;
 const GAUSSIAN: f64 = 4.66e-2;
 const PAIR: f64 = 1.19e-2;
@@ -63,6 +72,7 @@ const REACH: f32 = 1.67;
 pub(crate) fn step_error(tier: SlopeTier, ranges: Ranges) -> f64 {
     let rounded = ROUNDED * f64::from(FLOOR * steepest(ranges) / floor(ranges)).max(1.0);
     let model = match tier {
+        SlopeTier::Naive => NAIVE,
         SlopeTier::Unweighted => UNWEIGHTED,
         SlopeTier::Gaussian => GAUSSIAN,
         SlopeTier::Pair => PAIR,
@@ -84,7 +94,10 @@ pub(crate) fn floor(ranges: Ranges) -> f32 {
 /// The means and deviations that C0 is asked for.
 pub(crate) fn texture_ranges(tier: SlopeTier, ranges: Ranges) -> Ranges {
     let (low, high) = ranges.mean;
-    let beyond = if tier == SlopeTier::Unweighted { 0.0 } else { REACH * ranges.deviation };
+    let beyond = match tier {
+        SlopeTier::Naive | SlopeTier::Unweighted => 0.0,
+        SlopeTier::Gaussian | SlopeTier::Pair => REACH * ranges.deviation,
+    };
     Ranges { mean: (low - beyond, high + beyond), ..ranges }
 }
 
@@ -93,7 +106,7 @@ pub(crate) fn shared(tier: SlopeTier) -> Vec<Shared> {
     let factor = Shared::new("factor", "vec4f", "slopes_factor(view, slope_covariance)");
     let parameter = Shared::new("parameter", "f32", "slopes_parameter(view, mean_slope, factor)");
     match tier {
-        SlopeTier::Unweighted => Vec::new(),
+        SlopeTier::Naive | SlopeTier::Unweighted => Vec::new(),
         SlopeTier::Gaussian => vec![factor, parameter, Shared::new("moments", "vec2f", "slopes_moments(parameter)")],
         SlopeTier::Pair => vec![factor, parameter, Shared::new("pair", "vec4f", "slopes_pair(parameter)")],
     }
@@ -111,6 +124,7 @@ pub(crate) fn over(
     let colored = |of: &str| format!("{name}_texture({of}.x, {of}.y{arguments})");
     let along = |mean: &str, variance: &str| format!("slopes_along(direction, mean_slope, factor, {mean}, {variance})");
     let body = match tier {
+        SlopeTier::Naive => format!("    return {name}_texture(dot(direction, mean_slope), 0.0{arguments});\n"),
         SlopeTier::Unweighted => format!(
             "    let variance = smith_variance(direction, slope_covariance);\n    let component = \
              vec2f(dot(direction, mean_slope), sqrt(max(variance, 0.0)));\n    return {};\n",
@@ -141,7 +155,7 @@ pub(crate) fn over(
 pub(crate) fn given(tier: SlopeTier) -> &'static str {
     match tier {
         SlopeTier::Unweighted => ", direction: vec2f",
-        SlopeTier::Gaussian | SlopeTier::Pair => ", view: vec3f, direction: vec2f",
+        SlopeTier::Naive | SlopeTier::Gaussian | SlopeTier::Pair => ", view: vec3f, direction: vec2f",
     }
 }
 
@@ -178,7 +192,7 @@ const VIEWED: &str = "
 /// compares.
 pub(crate) fn gap(tier: SlopeTier) -> String {
     let model = match tier {
-        SlopeTier::Unweighted => "",
+        SlopeTier::Naive | SlopeTier::Unweighted => "",
         SlopeTier::Gaussian | SlopeTier::Pair => MODEL,
     };
     format!("how far slopes are from a normal distribution of that mean and covariance{model}")

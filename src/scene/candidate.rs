@@ -112,7 +112,8 @@ impl Scene {
     /// Whether a scene with a single candidate names it, so that no accuracy has a say.
     fn names_the_only_one(&self) -> bool {
         let height = self.height_tier.is_some_and(HeightTier::stands_alone);
-        self.tier.is_some() || height || self.irradiance_tier.is_some()
+        let naive = self.slope_tier == Some(SlopeTier::Naive);
+        self.tier.is_some() || height || naive || self.irradiance_tier.is_some()
     }
 
     /// The tiers of C0 that the scene names or allows.

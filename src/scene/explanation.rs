@@ -101,7 +101,7 @@ impl Scene {
         let (named, stacked) = match chosen.over {
             Over::Values => (None, true),
             Over::Heights(tier) => (self.height_tier.map(|_| "heights"), !tier.stands_alone()),
-            Over::Slopes(_) => (self.slope_tier.map(|_| "slopes"), true),
+            Over::Slopes(tier) => (self.slope_tier.map(|_| "slopes"), tier != SlopeTier::Naive),
             Over::Steepness => (None, false),
             Over::Normals(_) => (self.irradiance_tier.map(|_| "normals"), false),
         };

@@ -5,7 +5,8 @@ use super::Scene;
 use crate::filter::height::variation;
 use crate::filter::slope::{floor, given, glue, over, steepest, step_error, texture_ranges, SlopeTier};
 use crate::filter::texture::{color_type, filter};
-use crate::transfer::color_map::ColorMap;
+use crate::filter::{Kernel, Tier};
+use crate::transfer::color_map::{ColorMap, Colors};
 use crate::Error;
 
 /// Tiers of slopes from which an accuracy chooses.
@@ -43,7 +44,7 @@ impl Scene {
         let (name, ranges) = (&self.name, self.chosen_ranges());
         let tiers = self.slope_tier.map_or(SLOPES.to_vec(), |tier| vec![tier]);
         let mut candidates = Vec::new();
-        for texture_tier in self.tiers() {
+        for texture_tier in self.tiers_below_slopes() {
             for &tier in &tiers {
                 let below = texture_ranges(tier, ranges);
                 let texture = filter(map, self.colors, texture_tier, below)?;
@@ -63,12 +64,21 @@ impl Scene {
         Ok(candidates)
     }
 
+    /// The tiers of C0 that the scene names or allows; a single one for a map at a single slope.
+    fn tiers_below_slopes(&self) -> Vec<Tier> {
+        match (self.slope_tier, self.tier, self.colors) {
+            (Some(SlopeTier::Naive), None, Colors::Constant) => vec![Tier::Naive],
+            (Some(SlopeTier::Naive), None, Colors::Dynamic) => vec![Tier::ClosedForm(Kernel::Exact)],
+            _ => self.tiers(),
+        }
+    }
+
     /// What the bound of a tier of slopes is made of, and what it holds for.
     pub(super) fn covered_slopes(&self, tier: SlopeTier, map: &ColorMap) -> String {
         let ranges = self.chosen_ranges();
         let views = match tier {
             SlopeTier::Unweighted => "views above the horizon of the mean surface, or none for a flat mesh",
-            SlopeTier::Gaussian | SlopeTier::Pair => "views above the horizon of the mean surface",
+            SlopeTier::Naive | SlopeTier::Gaussian | SlopeTier::Pair => "views above the horizon of the mean surface",
         };
         format!(
             "{views}, deviations of the component from {:.1e}, slope correlations to 0.9, mean slopes to {}: a step \

@@ -23,6 +23,8 @@ fn what_is_off_leaves_no_trace() -> Outcome {
     assert_eq!(flat, "fn moss_slope(mean_slope: vec2f, slope_covariance: vec3f, direction: vec2f) -> vec3f");
     assert!(!text.contains("slopes_") && !text.contains("view"), "{text}");
     let viewed = "fn moss_slope(mean_slope: vec2f, slope_covariance: vec3f, view: vec3f, direction: vec2f) -> vec3f";
+    let (naive, text) = signature(SlopeTier::Naive)?;
+    assert!(naive == viewed && !text.contains("slopes_") && text.contains("_texture(dot(direction, mean_slope), 0.0)"));
     let (one, text) = signature(SlopeTier::Gaussian)?;
     assert!(one == viewed && !text.contains("slopes_pair") && !text.contains("slopes_area"), "{text}");
     let (two, text) = signature(SlopeTier::Pair)?;
