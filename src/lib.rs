@@ -101,7 +101,7 @@
 //! # Features
 //!
 //! None by default: a dependent then builds little more than naga. `macros`: `include_wgsl!`. `gpu`: compute on wgpu
-//! without ceremony. `image`, `colorgrad`: color maps from those crates. `serde`: scenes, maps and tables to
+//! without ceremony. `joint`: maps of height and steepness together. `image`, `colorgrad`: color maps from those crates. `serde`: scenes, maps and tables to
 //! files. `glsl`, `hlsl`, `msl`: naga's other writers. `naga`: the validated module itself, tied to naga's version.
 //!
 //! # Source
@@ -146,6 +146,8 @@ pub use module::{Export, Module, Stage};
 #[cfg(feature = "macros")]
 #[doc(inline)]
 pub use prefilter_macros::include_wgsl;
+#[cfg(feature = "joint")]
+pub use scene::JointMap;
 pub use scene::{Combination, Scene};
 pub use shader::{link, Shader};
 pub use table::Table;

@@ -7,6 +7,8 @@ mod explanation;
 mod filtered;
 mod heights;
 mod irradiance;
+#[cfg(feature = "joint")]
+mod joint;
 mod layer;
 mod percentile;
 mod slope;
@@ -25,6 +27,8 @@ use crate::transfer::irradiance::Irradiance;
 use crate::{name, Error};
 
 pub use combination::Combination;
+#[cfg(feature = "joint")]
+pub use joint::JointMap;
 
 /// What a material needs: what is filtered, over which values, and how closely.
 ///

@@ -1,8 +1,8 @@
 //! The scenes whose modules are snapshots, and go through every backend and validator.
 
 use prefilter::{
-    Accuracy, ColorMap, Colors, Combination, Driver, HeightTier, Irradiance, IrradianceTier, Kernel, Microsurface,
-    Moments, Pixel, Ranges, Reflectance, Scene, SlopeMoments, SlopeTier, Taps, Tier,
+    Accuracy, ColorMap, Colors, Combination, Driver, HeightTier, Irradiance, IrradianceTier, JointMap, Kernel,
+    Microsurface, Moments, Pixel, Ranges, Reflectance, Scene, SlopeMoments, SlopeTier, Taps, Tier,
 };
 
 use crate::maps::{named, random};
@@ -50,8 +50,18 @@ pub fn combinations() -> Result<Vec<(&'static str, Scene)>> {
                 .combination(&sand * (1.0 - Combination::weight("wetness")? * &strata))
                 .reflectance(Reflectance::Lambert),
         ),
+        ("combination_joint", Scene::new("peak").combination(snow_on_rock()?).microsurface(unshadowed)),
         ("combination_given", Scene::new("dune").combination(0.5 * &sand + 0.5).reflectance(Reflectance::Given)),
     ])
+}
+
+/// Snow where it is high and flat, on rock.
+fn snow_on_rock() -> Result<Combination> {
+    let snow = |height: f32, steepness: f32| {
+        let part = ((height - 0.5) / 0.2).clamp(0.0, 1.0) * ((0.6 - steepness) / 0.3).clamp(0.0, 1.0);
+        [0.3, 0.25, 0.2].map(|rock| rock + part * (0.95 - rock))
+    };
+    Ok(JointMap::new([0.0, 0.5, 0.7, 1.0], [0.0, 0.3, 0.6, 1.0], snow)?.combination("snow", 2)?)
 }
 
 /// A sky that is bright at its zenith and on one side, over dark ground.

@@ -38,6 +38,7 @@ pub struct Combination(pub(super) Expression);
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) enum Expression {
     Layer(Box<Scene>),
+    Channel(Box<Scene>, usize),
     Number(f32),
     Color(ColorMap),
     Weight(String),
@@ -78,6 +79,19 @@ impl Combination {
     /// A channel that is no number or beyond ±65504, another count of channels.
     pub fn color<const N: usize>(color: [f32; N]) -> Result<Self, Error> {
         Ok(Self(Expression::Color(ColorMap::gradient([(0.0, color)])?)))
+    }
+
+    /// One channel of a layer as a weight, counted from 0: masks of several layers may be channels of one map.
+    ///
+    /// # Errors
+    /// A layer without a color map, or whose map has no such channel.
+    pub fn channel(layer: &Scene, channel: usize) -> Result<Self, Error> {
+        let count = layer.map().map_or(0, ColorMap::channels);
+        if channel < count {
+            return Ok(Self(Expression::Channel(Box::new(layer.clone()), channel)));
+        }
+        let what = format!("the channel of `{}`", layer.name);
+        Err(Error::Size { what, count: channel, allowed: format!("below {count}, the number of its channels") })
     }
 
     /// A weight from −1 to 1 that the caller passes as a parameter of this name: bounds hold for those.
@@ -171,7 +185,7 @@ impl Expression {
     /// A product of factors that depend on the same.
     pub(super) fn variables(&self) -> Result<BTreeSet<String>, Error> {
         match self {
-            Self::Layer(scene) => Ok(BTreeSet::from([scene.variable()])),
+            Self::Layer(scene) | Self::Channel(scene, _) => Ok(BTreeSet::from([scene.variable()])),
             Self::Number(_) | Self::Color(_) | Self::Weight(_) => Ok(BTreeSet::new()),
             Self::Sum(a, b) => Ok(&a.variables()? | &b.variables()?),
             Self::Product(a, b) => {
@@ -192,6 +206,9 @@ impl Expression {
         let of = |part: &Self| part.text(literal, number);
         match self {
             Self::Layer(scene) => format!("{}_color", scene.name),
+            Self::Channel(scene, channel) => {
+                format!("{}_color.{}", scene.name, ["x", "y", "z", "w"].get(*channel).unwrap_or(&"x"))
+            }
             Self::Number(value) => number(*value),
             Self::Color(color) => literal(color),
             Self::Weight(name) => name.clone(),
@@ -206,7 +223,7 @@ impl Expression {
     /// The largest error of a channel, and the lowest and the highest value, from those of each layer.
     pub(super) fn error(&self, of: &dyn Fn(&Scene) -> [f64; 3]) -> [f64; 3] {
         match self {
-            Self::Layer(scene) => of(scene),
+            Self::Layer(scene) | Self::Channel(scene, _) => of(scene),
             Self::Number(value) => [0.0, f64::from(*value), f64::from(*value)],
             Self::Color(color) => {
                 let [low, high] = hull(color);

@@ -67,14 +67,16 @@ impl Scene {
         let (mut scenes, mut weights, mut channels): (Vec<&Scene>, Vec<String>, Vec<usize>) = Default::default();
         for leaf in expression.leaves() {
             match leaf {
-                Expression::Layer(scene) if scenes.contains(&&**scene) => {}
-                Expression::Layer(scene) => {
+                Expression::Layer(scene) | Expression::Channel(scene, _) if scenes.contains(&&**scene) => {}
+                Expression::Layer(scene) | Expression::Channel(scene, _) => {
                     name::check(&format!("{}_color", scene.name))?;
                     if scenes.iter().any(|known| known.name == scene.name) {
                         let what = format!("two different layers of `{}` are called `{}`", self.name, scene.name);
                         return Err(Error::Conflict(what));
                     }
-                    channels.extend(scene.map().map(|map| map.channels()));
+                    if matches!(leaf, Expression::Layer(_)) {
+                        channels.extend(scene.map().map(|map| map.channels()));
+                    }
                     scenes.push(scene);
                 }
                 Expression::Weight(weight) if !weights.contains(weight) => weights.push(weight.clone()),
@@ -84,6 +86,9 @@ impl Scene {
         }
         if scenes.is_empty() {
             return Err(Error::Conflict(format!("the combination of `{}` has no layer", self.name)));
+        }
+        if channels.is_empty() {
+            return Err(Error::Conflict(format!("the combination of `{}` has weights, and no color", self.name)));
         }
         if channels.windows(2).any(|pair| pair[0] != pair[1]) {
             let what = format!("the layers and colors of `{}` have {channels:?} channels; give all as many", self.name);

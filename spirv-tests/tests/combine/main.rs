@@ -1,5 +1,6 @@
 //! Combinations of layers on the device: sums and products of what each layer is, with light and without.
 
+mod joint;
 mod light;
 mod scenes;
 
