@@ -101,8 +101,9 @@
 //! # Features
 //!
 //! None by default: a dependent then builds little more than naga. `macros`: `include_wgsl!`. `gpu`: compute on wgpu
-//! without ceremony. `joint`: maps of height and steepness together. `image`, `colorgrad`: color maps from those crates. `serde`: scenes, maps and tables to
-//! files. `glsl`, `hlsl`, `msl`: naga's other writers. `naga`: the validated module itself, tied to naga's version.
+//! without ceremony. `joint`: maps of height and steepness together. `image`, `colorgrad`: color maps from those
+//! crates. `serde`: scenes, maps and tables to files. `glsl`, `hlsl`, `msl`: naga's other writers. `naga`: the
+//! validated module itself, tied to naga's version.
 //!
 //! # Source
 //!

@@ -87,9 +87,6 @@ impl Scene {
         if scenes.is_empty() {
             return Err(Error::Conflict(format!("the combination of `{}` has no layer", self.name)));
         }
-        if channels.is_empty() {
-            return Err(Error::Conflict(format!("the combination of `{}` has weights, and no color", self.name)));
-        }
         if channels.windows(2).any(|pair| pair[0] != pair[1]) {
             let what = format!("the layers and colors of `{}` have {channels:?} channels; give all as many", self.name);
             return Err(Error::Conflict(what));
@@ -101,6 +98,9 @@ impl Scene {
         let count = scenes.len();
         let layers = scenes.into_iter().map(|scene| self.layer(scene, weight(scene), count));
         let layers = layers.collect::<Result<Vec<_>, _>>()?;
+        if channels.is_empty() {
+            return Err(Error::Conflict(format!("the combination of `{}` has weights, and no color", self.name)));
+        }
         let color = expression.text(&literal, &number);
         Ok(Combined { scene: self, layers, weights, color, four: channels.first() == Some(&4) })
     }

@@ -145,6 +145,7 @@ fn refuses_what_is_no_combination() -> Outcome {
     refused(&rock + &four, "channels");
     refused(&rock + &other, "two different layers");
     refused(Combination::from(0.5) + Combination::weight("wetness")?, "no layer");
+    refused(Combination::channel(&high, 0)? * 0.5, "no color");
     refused(Scene::new("sky").irradiance(sky()?).into(), "is no layer");
     refused(Scene::new("gl").steepness(rock.map().ok_or("no map")?.clone()) + 1.0, "gl");
     let scene = || Scene::new("hills").combination(&rock);
