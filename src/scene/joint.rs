@@ -43,6 +43,9 @@ pub struct JointMap {
     errors: Vec<f32>,
 }
 
+/// To which weights are rounded.
+const DIGIT: f64 = 1.0 / (1u32 << 20) as f64;
+
 /// uₖ at the heights, from −1 to 1, and vₖ at the steepnesses.
 #[derive(Clone, Debug, PartialEq)]
 struct Term {
@@ -80,12 +83,22 @@ impl JointMap {
         let (mut terms, mut errors) = (Vec::new(), Vec::new());
         for (k, &size) in decomposed.singular_values.iter().enumerate().take(MOST) {
             let largest = left.column(k).amax().max(f64::MIN_POSITIVE);
-            let weights: Vec<f32> = left.column(k).iter().map(|value| (value / largest) as f32).collect();
-            let row: Vec<f64> = right.row(k).iter().map(|value| value * size * largest).collect();
-            let colors = row.chunks_exact(3).map(|color| [color[0] as f32, color[1] as f32, color[2] as f32]);
-            rest -= left.column(k) * size * right.row(k);
+            // Rounded to what colors need: equal weights are the same bits, and no bend is left between them.
+            let weights: Vec<f32> = left
+                .column(k)
+                .iter()
+                .map(|value| (value / largest / DIGIT).round() * DIGIT)
+                .map(|v| v as f32)
+                .collect();
+            let row: Vec<f32> = right.row(k).iter().map(|value| (value * size * largest) as f32).collect();
+            for (place, value) in rest.iter_mut().enumerate() {
+                // Columns first.
+                let (height, column) = (place % heights.len(), place / heights.len());
+                *value -= f64::from(weights[height]) * f64::from(row[column]);
+            }
             errors.push(rest.amax() as f32);
-            terms.push(Term { weights, colors: colors.collect() });
+            let colors = row.chunks_exact(3).map(|color| [color[0], color[1], color[2]]).collect();
+            terms.push(Term { weights, colors });
         }
         Ok(Self { heights, steepnesses, terms, errors })
     }
