@@ -1,11 +1,14 @@
-//! Pictures and what reports do with them: supersampling, how far one is from another, drawing, lettering, PNG files.
+//! Pictures and what reports do with them: lenses, reliefs and their rays, supersampling, how far one picture is from
+//! another, drawing, lettering, PNG files.
 
 pub mod canvas;
 pub mod measure;
 pub mod picture;
 pub mod pixel;
+pub mod relief;
 pub mod taps;
 pub mod vector;
+pub mod view;
 
 /// Why a report of pictures stopped.
 #[derive(Debug, thiserror::Error)]

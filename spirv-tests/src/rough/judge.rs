@@ -2,16 +2,16 @@
 
 use super::known::{self, Known};
 use super::method::{Method, Renderer, Shown};
-use super::relief::Relief;
+use super::relief::relief;
 use super::scene::{self, LIGHTS};
 use super::surface::Surface;
 use super::tally::{Quantity, Region, Tally};
 use super::truth::{Scenery, Seen};
-use super::view::View;
 use super::Error;
 use crate::gap::figure::Figure;
 use crate::imaging::pixel::Pixel;
 use crate::imaging::taps::ALL_TAPS;
+use crate::imaging::view::View;
 use prefilter::gpu::Device;
 
 /// Lights.
@@ -153,7 +153,7 @@ pub fn judge(device: &Device, extent: Extent, done: &(dyn Fn() + Sync)) -> Resul
     let (reference, pixel) = (map.reference(), Pixel::default());
     for seed in 0..extent.seeds {
         let surface = Surface::new(seed as u32 + 1);
-        let relief = Relief::new(&surface);
+        let relief = relief(&surface);
         let scenery = Scenery { relief: &relief, map: &reference, pixel: &pixel };
         for (number, view) in views.iter().enumerate() {
             let half = |half: u64| {

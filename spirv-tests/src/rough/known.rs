@@ -5,9 +5,9 @@
 //! every method, and so is the share of the lost slopes that faces the light.
 
 use super::surface::{Filtered, Surface};
-use super::view::{Ray, View};
 use crate::imaging::pixel::fill;
 use crate::imaging::taps::{places, ALL_TAPS, TAP_DEVIATION};
+use crate::imaging::view::{Ray, View};
 use prefilter::reference::normal::{cumulative, density};
 
 /// Places at which slopes along the view are integrated over.

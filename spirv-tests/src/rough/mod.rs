@@ -23,6 +23,5 @@ pub mod surface;
 pub mod table;
 pub mod tally;
 pub mod truth;
-pub mod view;
 
 pub use crate::imaging::Error;

@@ -1,6 +1,6 @@
 //! What is looked at: the colors of heights, the views and the lights.
 
-use super::view::{azimuth, Lens, View};
+use crate::imaging::view::{azimuth, Lens, View};
 use prefilter::ColorMap;
 
 /// Elevation of both suns, in degrees.
@@ -21,32 +21,24 @@ pub fn lights() -> [[f64; 3]; 2] {
     })
 }
 
+/// What the suns are called in a view.
+pub fn suns(view: &View) -> [&'static str; 2] {
+    match view.lens {
+        Lens::Pinhole { .. } => ["sun behind the viewer", "sun ahead"],
+        Lens::Satellite { .. } => ["sun on one side", "sun on the other side"],
+    }
+}
+
 /// From grazing to overhead, from near to far.
 pub fn views([width, height]: [usize; 2]) -> [View; 3] {
     let tangents = |degrees: [f64; 2]| degrees.map(|degrees| degrees.to_radians().tan());
     let satellite = Lens::Satellite { first: 0.3, farther: 100.0 };
     let pinhole = |degrees, last| Lens::Pinhole { tangents: tangents(degrees), last };
-    let view = |name, title, suns, lens| View { name, title, suns, lens, width, height };
-    let suns = ["sun behind the viewer", "sun ahead"];
+    let view = |name, title, lens| View { name, title, lens, width, height };
     [
-        view(
-            "grazing",
-            "grazing: the ground from 0.5 to 10 degrees below the horizon",
-            suns,
-            pinhole([0.5, 10.0], 0.7),
-        ),
-        view(
-            "oblique",
-            "oblique: the ground from 12 to 40 degrees below the horizon",
-            suns,
-            pinhole([12.0, 40.0], 0.45),
-        ),
-        view(
-            "overhead",
-            "from overhead, 100 times farther at the right",
-            ["sun on one side", "sun on the other side"],
-            satellite,
-        ),
+        view("grazing", "grazing: the ground from 0.5 to 10 degrees below the horizon", pinhole([0.5, 10.0], 0.7)),
+        view("oblique", "oblique: the ground from 12 to 40 degrees below the horizon", pinhole([12.0, 40.0], 0.45)),
+        view("overhead", "from overhead, 100 times farther at the right", satellite),
     ]
 }
 

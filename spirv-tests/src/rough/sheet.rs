@@ -2,7 +2,7 @@
 
 use super::judge::{Judged, Look, Row};
 use super::method::Method;
-use super::scene::LIGHTS;
+use super::scene::{self, LIGHTS};
 use super::tally::{Quantity, Region};
 use crate::imaging::canvas::{Canvas, Letters};
 use crate::imaging::picture::Picture;
@@ -52,7 +52,7 @@ pub fn sheet(judged: &Judged) -> Canvas {
             canvas.picture(&picture(looks, width), [left, top]);
             let label = match Method::ALL.get(column) {
                 Some(&method) => error(row, method),
-                None => panel.view.suns[panel.light].into(),
+                None => scene::suns(&panel.view)[panel.light].into(),
             };
             canvas.text(&label, [left, top + height + 2], Letters::Small, INK);
         }

@@ -2,7 +2,7 @@
 
 use super::judge::{Judged, Row};
 use super::method::Method;
-use super::scene::LIGHTS;
+use super::scene::{self, LIGHTS};
 use super::tally::{Quantity, Region};
 use std::fmt::Write;
 
@@ -27,7 +27,7 @@ pub fn text(judged: &Judged) -> String {
     }
     table.push('\n');
     for row in &judged.rows {
-        let _ = writeln!(table, "{}, {}", row.view.name, row.view.suns[row.light]);
+        let _ = writeln!(table, "{}, {}", row.view.name, scene::suns(&row.view)[row.light]);
         for method in Method::ALL {
             text_row(&mut table, method.label(), |quantity, region| row.rms(method, quantity, region));
         }

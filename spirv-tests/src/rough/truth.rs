@@ -1,8 +1,8 @@
 //! What a pixel should be, by rays through all heights: no footprint and no filter is involved.
 
-use super::relief::Relief;
-use super::view::View;
 use crate::imaging::pixel::{fill, Pixel};
+use crate::imaging::relief::Relief;
+use crate::imaging::view::View;
 use prefilter::reference::texture::PiecewiseLinear;
 
 /// How far a point is lifted off the surface before it looks for the light, in deviations of heights.
@@ -107,21 +107,22 @@ fn add(sum: &mut [f64; 3], color: [f64; 3]) {
 
 #[cfg(test)]
 mod tests {
+    use super::super::relief::relief;
     use super::super::surface::{Surface, Wave};
-    use super::super::view::Lens;
     use super::*;
+    use crate::imaging::view::Lens;
     use std::f64::consts::TAU;
 
     /// Straight down on ridges whose light comes from across: a profile in one dimension says what is lit.
     #[test]
     fn ridges_are_lit_as_their_profile_says() {
         let wave = Wave { periods: [1, 0], amplitude: 1.0, phase: 0.0 };
-        let relief = Relief::new(&Surface { waves: vec![wave], period: 8.0 });
+        let relief = relief(&Surface { waves: vec![wave], period: 8.0 });
         // Black below 0.5, white above.
         let map = PiecewiseLinear { knots: vec![(0.5, [0.0; 4], [1.0; 4])] };
         let scenery = Scenery { relief: &relief, map: &map, pixel: &Pixel::default() };
         let lens = Lens::Satellite { first: 5.0, farther: 2.0 };
-        let view = View { name: "", title: "", suns: [""; 2], lens, width: 24, height: 24 };
+        let view = View { name: "", title: "", lens, width: 24, height: 24 };
         let tangent = 0.4;
         let light = [1.0, 0.0, tangent].map(|part| part / f64::hypot(1.0, tangent));
         let picture = scenery.picture(&view, &[light], 16, 1, &|| ());

@@ -1,7 +1,7 @@
-//! From where the surface is seen: lenses, their rays, and footprints on the ground.
+//! From where a surface is seen: lenses, their rays, and footprints on the ground, whose mean height is 0.
 
-/// Above everything.
-const TOP: f64 = 10.0;
+/// Above everything, in any unit.
+const TOP: f64 = 1e5;
 
 /// How a picture sees the ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,8 +31,6 @@ pub struct View {
     pub name: &'static str,
     /// For people.
     pub title: &'static str,
-    /// What the suns are called in it.
-    pub suns: [&'static str; 2],
     /// How it sees.
     pub lens: Lens,
     /// Pixels a row.
@@ -132,39 +130,50 @@ impl Ray {
 
 #[cfg(test)]
 mod tests {
-    use super::super::scene::views;
     use super::*;
+
+    fn view(lens: Lens) -> View {
+        View { name: "", title: "", lens, width: 101, height: 51 }
+    }
+
+    fn pinhole(degrees: [f64; 2], last: f64) -> View {
+        view(Lens::Pinhole { tangents: degrees.map(|degrees| degrees.to_radians().tan()), last })
+    }
+
+    fn satellite() -> View {
+        view(Lens::Satellite { first: 0.3, farther: 100.0 })
+    }
 
     #[test]
     fn changes_are_derivatives_of_rays() {
-        for view in views([40, 30]) {
+        for view in [satellite(), pinhole([0.5, 10.0], 0.7)] {
             let place = [7.3, 11.2];
             let (ray, step) = (view.ray(place), 1e-5);
             let moved = view.ray([place[0] + step, place[1]]);
             for axis in 0..3 {
                 let from = (moved.from[axis] - ray.from[axis]) / step;
                 let way = (moved.way[axis] - ray.way[axis]) / step;
-                assert!((from - ray.from_change[axis]).abs() < 1e-4 * (1.0 + from.abs()), "{}: {from}", view.name);
-                assert!((way - ray.way_change[axis]).abs() < 1e-6, "{}: {way}", view.name);
+                assert!((from - ray.from_change[axis]).abs() < 1e-4 * (1.0 + from.abs()), "{:?}: {from}", view.lens);
+                assert!((way - ray.way_change[axis]).abs() < 1e-6, "{:?}: {way}", view.lens);
             }
         }
     }
 
     #[test]
     fn lenses_see_what_they_say() {
-        let [grazing, oblique, satellite] = views([101, 51]);
         let width = |view: &View, place: [f64; 2]| {
             let ray = view.ray(place);
             ray.width(ray.crossing(0.0))
         };
-        assert!((width(&satellite, [-50.0, 3.0]) - 0.3).abs() < 1e-9);
-        assert!((width(&satellite, [50.0, 40.0]) - 30.0).abs() < 1e-9);
-        for (view, degrees, last) in [(oblique, [12.0, 40.0], 0.45), (grazing, [0.5, 10.0], 0.7)] {
+        assert!((width(&satellite(), [-50.0, 3.0]) - 0.3).abs() < 1e-9);
+        assert!((width(&satellite(), [50.0, 40.0]) - 30.0).abs() < 1e-9);
+        for (degrees, last) in [([12.0, 40.0], 0.45), ([0.5, 10.0], 0.7)] {
+            let view = pinhole(degrees, last);
             for (row, degrees) in [(0.0, degrees[0]), (50.0, degrees[1])] {
                 let [x, y, z] = view.ray([0.0, row]).back();
-                assert!((z.atan2(x.hypot(y)).to_degrees() - degrees).abs() < 1e-9, "{}", view.name);
+                assert!((z.atan2(x.hypot(y)).to_degrees() - degrees).abs() < 1e-9, "{degrees}");
             }
-            assert!((width(&view, [0.0, 50.0]) - last).abs() < 1e-9, "{}", view.name);
+            assert!((width(&view, [0.0, 50.0]) - last).abs() < 1e-9, "{degrees:?}");
         }
     }
 }
