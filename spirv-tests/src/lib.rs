@@ -2,6 +2,7 @@
 #![deny(missing_docs)]
 
 pub mod any;
+pub mod cliffs;
 pub mod contract;
 pub mod demo;
 pub mod exports;

@@ -8,7 +8,7 @@ use prefilter::{ColorMap, Cost, Driver, Irradiance, IrradianceTier, Kernel, Micr
 /// A line of a table by its columns.
 type Row<'a> = BTreeMap<&'a str, &'a str>;
 
-type Outcome = Result<(), Box<dyn std::error::Error + Send + Sync>>;
+type Outcome<T = ()> = Result<T, Box<dyn std::error::Error + Send + Sync>>;
 
 const TABLE: &str = include_str!("../../docs/demo.csv");
 const README: &str = include_str!("../../README.md");
@@ -126,6 +126,30 @@ fn the_readme_quotes_the_rough_surface() -> Outcome {
         format!("{} near the horizon", three("grazing", "far")?),
         format!("{} from overhead", three("overhead", "far")?),
         format!("{} over all of the grazing view", three("grazing", "rms")?),
+    ] {
+        assert!(text.contains(&quoted), "the README lacks: {quoted}");
+    }
+    Ok(())
+}
+
+#[test]
+fn the_readme_quotes_the_mountains() -> Outcome {
+    let table = rows(include_str!("../../docs/cliffs.csv"));
+    let cell = |view: &str, method: &str, column: &str| -> Result<&str, String> {
+        let wanted = [("view", view), ("sun", "ahead"), ("method", method), ("region", "far")];
+        let row = table.iter().find(|row| wanted.iter().all(|(column, value)| row[column] == *value));
+        row.map(|row| row[column]).ok_or_else(|| format!("cliffs.csv has no row {wanted:?}"))
+    };
+    let three = |view| -> Outcome<String> {
+        let [naive, alike, ours] = ["naive", "view-independent", "factored"].map(|method| cell(view, method, "rms"));
+        let [naive, alike, ours] = [naive?.parse::<f64>()?, alike?.parse()?, ours?.parse()?];
+        Ok(format!("{naive:.3}, {alike:.3} and {ours:.3}"))
+    };
+    let text = README.split_whitespace().collect::<Vec<_>>().join(" ");
+    for quoted in [
+        format!("{} near the horizon", three("grazing")?),
+        format!("takes {} samples", cell("grazing", "factored", "samples")?),
+        format!("errs by {}", three("overhead")?),
     ] {
         assert!(text.contains(&quoted), "the README lacks: {quoted}");
     }

@@ -22,6 +22,13 @@ table</a>.</p>
 <img src=\"snake.png\" alt=\"a snake by three methods and in truth, near and far; made by the binary snake\">
 ";
 
+/// And so does `cliffs`.
+const CLIFFS: &str = "<h2>mountains in the light of a sky</h2>
+<p>Rock where it is steep, snow where it is high and flat, under a sky with a sun, <a href=\"cliffs.csv\">the errors as
+a table</a>.</p>
+<img src=\"cliffs.png\" alt=\"mountains by several methods and in truth; made by the binary cliffs\">
+";
+
 /// A picture's name in file names and its label.
 struct Column<'a> {
     stem: String,
@@ -96,7 +103,7 @@ fn html(device: &str, sizes: Sizes, all: &[Judged]) -> String {
     for judged in all {
         section(&mut page, judged);
     }
-    page + ROUGH + SNAKE + "</main>\n"
+    page + ROUGH + SNAKE + CLIFFS + "</main>\n"
 }
 
 fn section(page: &mut String, judged: &Judged) {

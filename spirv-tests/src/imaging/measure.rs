@@ -15,8 +15,12 @@ pub struct Deviation {
 
 /// The error of every pixel.
 pub fn errors(picture: &Picture, truth: &Picture) -> Vec<f32> {
-    let pixels = picture.pixels.iter().zip(&truth.pixels);
-    pixels.map(|(ours, theirs)| (0..3).map(|c| (ours[c] - theirs[c]).abs()).fold(0.0, largest)).collect()
+    picture.pixels.iter().zip(&truth.pixels).map(|(ours, theirs)| worst(ours, theirs)).collect()
+}
+
+/// The largest difference of a channel; NaN if any is.
+pub fn worst(ours: &[f32; 3], theirs: &[f32; 3]) -> f32 {
+    ours.iter().zip(theirs).map(|(ours, theirs)| (ours - theirs).abs()).fold(0.0, largest)
 }
 
 /// The larger of two numbers; NaN if either is.

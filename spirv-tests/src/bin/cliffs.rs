@@ -1,0 +1,56 @@
+//! Colors and lights a mountainous ground on the device, judges every method against rays to all of it, and writes a
+//! picture and tables.
+#![deny(missing_docs)]
+
+use clap::Parser;
+use indicatif::{ProgressBar, ProgressStyle};
+use prefilter::gpu::Device;
+use spirv_tests::cliffs::judge::{judge, Extent};
+use spirv_tests::cliffs::{page, table, Error};
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+/// Colors a mountainous ground by height and steepness in the light of a sky, prints how far each method is from the
+/// truth, and writes a picture and tables.
+#[derive(Parser)]
+struct Arguments {
+    /// Small pictures from over one place.
+    #[arg(long)]
+    quick: bool,
+    /// The folder of the report; made if need be.
+    #[arg(long, value_name = "DIR", default_value = "target/demo")]
+    out: PathBuf,
+}
+
+const FULL: Extent = Extent { size: [224, 112], strata: 16, places: 4, modeled: 211 };
+const QUICK: Extent = Extent { size: [112, 56], strata: 16, places: 1, modeled: 211 };
+
+fn main() -> ExitCode {
+    match cliffs(&Arguments::parse()) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn cliffs(arguments: &Arguments) -> Result<(), Error> {
+    let extent = if arguments.quick { QUICK } else { FULL };
+    let device = Device::new()?;
+    let bar = ProgressBar::new(extent.rows()).with_style(style());
+    let judged = judge(&device, extent, &|| bar.inc(1))?;
+    bar.finish_and_clear();
+    println!("{}", table::legend(device.label(), extent.size, extent.places));
+    println!("{}", table::text(&judged));
+    println!("{}\n{}", table::MODEL_LEGEND, table::model_text(&judged));
+    let written = page::write(&arguments.out, &judged)?;
+    println!("written: {}", written.map(|path| path.display().to_string()).join(", "));
+    Ok(())
+}
+
+/// Rows and the time left.
+fn style() -> ProgressStyle {
+    let template = "cliffs   {bar:40} {percent:>3} %, {eta} left";
+    ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar())
+}

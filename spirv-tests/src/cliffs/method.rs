@@ -1,0 +1,114 @@
+//! The ways to color and light the ground that are compared, each as a kernel on the device.
+
+use super::known::Known;
+use super::scene::Materials;
+use super::Error;
+use crate::imaging::picture::Picture;
+use crate::imaging::taps::ALL_TAPS;
+use prefilter::gpu::{Address, Device, Kernel, Texture, Work};
+use prefilter::{Accuracy, HeightTier, Irradiance, IrradianceTier, Microsurface, Scene};
+
+/// A way to color and light.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// Of the mean height and the mean slope.
+    Naive,
+    /// Over all heights and slopes, whichever are seen.
+    Alike,
+    /// The color of what is seen times the irradiance on what is seen.
+    Factored,
+}
+
+impl Method {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Naive, Self::Alike, Self::Factored];
+
+    /// The name above pictures and in tables for people.
+    pub fn label(self) -> &'static str {
+        match self {
+            Self::Naive => "naive",
+            Self::Alike => "view-independent",
+            Self::Factored => "ours, factored",
+        }
+    }
+
+    /// Those that filter what is seen.
+    pub const FILTERED: [Self; 1] = [Self::Factored];
+
+    /// The name in tables for other programs.
+    pub fn stem(self) -> &'static str {
+        match self {
+            Self::Naive => "naive",
+            Self::Alike => "view-independent",
+            Self::Factored => "factored",
+        }
+    }
+
+    fn text(self) -> &'static str {
+        match self {
+            Self::Naive => include_str!("methods/naive.wgsl"),
+            Self::Alike => include_str!("methods/alike.wgsl"),
+            Self::Factored => include_str!("methods/factored.wgsl"),
+        }
+    }
+}
+
+/// A method ready to color on a device under one sky.
+#[derive(Clone, Debug)]
+pub struct Renderer {
+    kernel: Kernel,
+    textures: Vec<Texture>,
+}
+
+impl Renderer {
+    /// Generates, compiles and uploads what the method needs.
+    ///
+    /// # Errors
+    /// Those of the scenes and of the device.
+    pub fn new(device: &Device, materials: &Materials, sky: Irradiance, method: Method) -> Result<Self, Error> {
+        let Materials { ground, flat, rock } = materials.clone();
+        let seen = Microsurface { shadowing: false, mean_slope: true, ..Microsurface::default() };
+        let ground = Scene::new("ground").height(ground).accuracy(Accuracy::default().without_tables());
+        let ground = ground.height_tier(HeightTier::ClosedForm).microsurface(seen).module()?;
+        let flat = Scene::new("bare").steepness(flat).accuracy(Accuracy::max_filter_error(1.0)).module()?;
+        let rock = Scene::new("rock").steepness(rock).accuracy(Accuracy::max_filter_error(1.0)).module()?;
+        let sky = Scene::new("sky").irradiance(sky).irradiance_tier(IrradianceTier::FourGaussians).module()?;
+        let text = [include_str!("shade.wgsl"), include_str!("methods/separate.wgsl"), method.text()].join("\n");
+        let shader = prefilter::link(&[&ground, &flat, &rock, &sky], &text)?;
+        let kernel = Kernel::new(device, shader.wgsl(), "main")?;
+        let tables = [&flat, &rock].into_iter().flat_map(|module| module.tables());
+        let textures = tables.map(|table| device.upload(table, Address::Clamp)).collect::<Result<_, _>>()?;
+        Ok(Self { kernel, textures })
+    }
+
+    /// The picture of what is known, `width` pixels wide.
+    ///
+    /// # Errors
+    /// Those of the device.
+    pub fn picture(&self, known: &[Known], width: usize) -> Result<Picture, Error> {
+        let colors = self.colors(known)?;
+        let mean = |taps: &[[f32; 3]]| {
+            let sum = |channel: usize| taps.iter().map(|tap| tap[channel]).sum::<f32>();
+            [0, 1, 2].map(|channel| sum(channel) / taps.len() as f32)
+        };
+        let pixels: Vec<[f32; 3]> = colors.chunks_exact(ALL_TAPS).map(mean).collect();
+        Ok(Picture { width, height: pixels.len() / width.max(1), pixels })
+    }
+
+    /// The light of every tap.
+    ///
+    /// # Errors
+    /// Those of the device.
+    pub fn colors(&self, known: &[Known]) -> Result<Vec<[f32; 3]>, Error> {
+        let numbers = known.iter().flat_map(|known| {
+            let Known { mean, deviation, slope, covariance, view } = known;
+            let parts: [&[f32]; 4] = [&[*mean, *deviation], slope, covariance, view];
+            parts.concat()
+        });
+        let numbers: Vec<f32> = numbers.collect();
+        let textures: Vec<&Texture> = self.textures.iter().collect();
+        let (invocations, output) = (known.len(), 4 * known.len());
+        let colors = self.kernel.run(&Work { inputs: &[&numbers], textures: &textures, invocations, output })?;
+        Ok(colors.chunks_exact(4).map(|color| [color[0], color[1], color[2]]).collect())
+    }
+}
