@@ -114,7 +114,8 @@ pub enum Bound {
     /// [`SlopeTier`](crate::SlopeTier)s, which the crate's tests enforce.
     Guaranteed(f32),
     /// Twice the largest error that was measured between the texels of a table. A sampler that keeps 8 bits of the
-    /// fraction between texels, as many do, errs by up to 1/512 of the difference between neighbors besides.
+    /// fraction between texels, as many do, errs by up to 1/512 of the difference between neighbors besides. Of a map
+    /// of slopes also twice the largest error that was measured of maps with one edge, times the span of the colors.
     Estimated(f32),
 }
 

@@ -74,7 +74,8 @@
 //! map over one component of the slopes that are seen, along any horizontal vector: `NAME_slope` takes the mean and the
 //! covariance of the slopes, the direction of the view and that vector. [`SlopeTier`]s differ in how they represent the
 //! visible slopes; [`SlopeTier::Unweighted`] is for flat meshes whose normals come from a map. [`Scene::steepness`]
-//! averages a map over the length of the slopes that are seen: rock on cliffs, with one fetch.
+//! averages a map over the length of the slopes that are seen: rock on cliffs, with one fetch. [`Scene::slope_map`]
+//! averages a [`SlopeMap`], colors by the whole slope, with a few reads from a table.
 //!
 //! # Light by slope
 //!
@@ -142,6 +143,7 @@ pub use filter::combine::Reflectance;
 pub use filter::height::{HeightTier, Microsurface};
 pub use filter::irradiance::IrradianceTier;
 pub use filter::slope::SlopeTier;
+pub use filter::slope_map::SlopeTaps;
 pub use filter::{Kernel, Tier};
 pub use module::{Export, Module, Stage};
 #[cfg(feature = "macros")]
@@ -154,6 +156,7 @@ pub use shader::{link, Shader};
 pub use table::Table;
 pub use transfer::color_map::{ColorMap, Colors};
 pub use transfer::irradiance::Irradiance;
+pub use transfer::slope_map::{SlopeDomain, SlopeMap};
 
 /// The README's code blocks are tests, too.
 #[cfg(all(doctest, feature = "macros"))]

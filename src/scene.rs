@@ -12,6 +12,7 @@ mod joint;
 mod layer;
 mod percentile;
 mod slope;
+mod slope_map;
 mod steepness;
 
 use crate::accuracy::{Accuracy, Ranges};
@@ -20,10 +21,12 @@ use crate::filter::combine::Reflectance;
 use crate::filter::height::{HeightTier, Microsurface};
 use crate::filter::irradiance::IrradianceTier;
 use crate::filter::slope::SlopeTier;
+use crate::filter::slope_map::{SlopeTaps, RANGES};
 use crate::filter::Tier;
 use crate::module::Module;
 use crate::transfer::color_map::{ColorMap, Colors};
 use crate::transfer::irradiance::Irradiance;
+use crate::transfer::slope_map::SlopeMap;
 use crate::{name, Error};
 
 pub use combination::Combination;
@@ -33,9 +36,9 @@ pub use joint::JointMap;
 /// What a material needs: what is filtered, over which values, and how closely.
 ///
 /// A scene filters one thing: one of [`Self::texture`], [`Self::height`], [`Self::height_percentile`], [`Self::slope`],
-/// [`Self::steepness`] and [`Self::irradiance`]. A material that needs more has a scene for each, whose modules
-/// [`link`](crate::link) takes together. [`Self::module`] refuses two, and settings that have no meaning for what is
-/// filtered.
+/// [`Self::slope_map`], [`Self::steepness`] and [`Self::irradiance`]. A material that needs more has a scene for each,
+/// whose modules [`link`](crate::link) takes together. [`Self::module`] refuses two, and settings that have no meaning
+/// for what is filtered.
 ///
 /// ```
 /// use prefilter::{Accuracy, ColorMap, Scene};
@@ -54,6 +57,10 @@ pub struct Scene {
     percentile: Option<ColorMap>,
     #[cfg_attr(feature = "serde", serde(default))]
     slope: Option<ColorMap>,
+    #[cfg_attr(feature = "serde", serde(default))]
+    slope_map: Option<SlopeMap>,
+    #[cfg_attr(feature = "serde", serde(default))]
+    slope_taps: Option<SlopeTaps>,
     #[cfg_attr(feature = "serde", serde(default))]
     steepness: Option<ColorMap>,
     #[cfg_attr(feature = "serde", serde(default))]
@@ -85,6 +92,8 @@ impl Scene {
             height: None,
             percentile: None,
             slope: None,
+            slope_map: None,
+            slope_taps: None,
             steepness: None,
             irradiance: None,
             combination: None,
@@ -129,25 +138,6 @@ impl Scene {
     #[must_use]
     pub fn height(self, map: ColorMap) -> Self {
         Self { height: Some(map), ..self }
-    }
-
-    /// Ch of a map over percentiles: positions are shares, from 0 to 1, of the surface that lie below a height.
-    ///
-    /// Exports what [`Self::height`] does, without mean and deviation: `NAME_height(slope_covariance, view, light, …)`.
-    /// Whatever distribution the heights have cancels, and the color is exact. Equation 3 of Heitz et al. 2014 is that
-    /// of the map from black at 0 to white at 1.
-    ///
-    /// ```
-    /// use prefilter::{ColorMap, Scene};
-    /// let rust = ColorMap::gradient([(0.0, [0.1, 0.04, 0.02]), (0.7, [0.5, 0.2, 0.1]), (1.0, [0.6, 0.6, 0.6])])?;
-    /// let module = Scene::new("iron").height_percentile(rust).module()?;
-    /// let height = "fn iron_height(slope_covariance: vec3f, view: vec3f, light: vec3f) -> vec3f";
-    /// assert_eq!(module.exports()[0].signature, height);
-    /// # Ok::<(), prefilter::Error>(())
-    /// ```
-    #[must_use]
-    pub fn height_percentile(self, map: ColorMap) -> Self {
-        Self { percentile: Some(map), ..self }
     }
 
     /// What hides parts of the surface that is colored by height. Default: view and light, taken for independent.
@@ -226,7 +216,8 @@ impl Scene {
 
     /// The ranges that bounds hold over: those given, or else those of the map.
     pub fn chosen_ranges(&self) -> Ranges {
-        self.ranges.unwrap_or_else(|| self.map().map_or(Ranges::default(), Ranges::of))
+        let own = self.slope_map.as_ref().map_or(Ranges::default(), |_| RANGES);
+        self.ranges.unwrap_or_else(|| self.map().map_or(own, Ranges::of))
     }
 
     /// Generates, links and validates the module.

@@ -2,7 +2,8 @@
 
 use prefilter::{
     Accuracy, ColorMap, Colors, Combination, Driver, HeightTier, Irradiance, IrradianceTier, JointMap, Kernel,
-    Microsurface, Moments, Pixel, Ranges, Reflectance, Scene, SlopeMoments, SlopeTier, Taps, Tier,
+    Microsurface, Moments, Pixel, Ranges, Reflectance, Scene, SlopeDomain, SlopeMap, SlopeMoments, SlopeTaps,
+    SlopeTier, Taps, Tier,
 };
 
 use crate::maps::{named, random};
@@ -14,7 +15,8 @@ type Result<T> = std::result::Result<T, Box<dyn std::error::Error + Send + Sync>
 /// # Errors
 /// None that the tests have seen: the maps are fixed.
 pub fn all() -> Result<Vec<(&'static str, Scene)>> {
-    Ok([textures()?, heights()?, slopes()?, steepnesses()?, irradiances()?, driven_slopes()?, combinations()?].concat())
+    let seen = [slopes()?, slope_maps()?, steepnesses()?, irradiances()?, driven_slopes()?].concat();
+    Ok([textures()?, heights()?, seen, combinations()?].concat())
 }
 
 /// The scenes of values.
@@ -152,6 +154,30 @@ pub fn slopes() -> Result<Vec<(&'static str, Scene)>> {
         ("slope_pair", dune().slope_tier(SlopeTier::Pair).tier(EXACT)),
         ("slope_table", dune().slope_tier(SlopeTier::Pair).tier(Tier::Table)),
         ("slope_dynamic", dune().colors(Colors::Dynamic).slope_tier(SlopeTier::Pair).tier(EXACT)),
+    ])
+}
+
+/// The scenes of maps of the whole slope: snow that lies to one side, and a wheel of aspects with a fourth channel.
+///
+/// # Errors
+/// As [`all`].
+pub fn slope_maps() -> Result<Vec<(&'static str, Scene)>> {
+    let snow = SlopeMap::from_function(48, SlopeDomain::Within(0.8), |[x, y]| {
+        let covered = (2.0 * (0.3 - x) - 3.0 * x.hypot(y - 0.2)).clamp(0.0, 1.0);
+        [0.31 + 0.6 * covered, 0.28 + 0.65 * covered, 0.25 + 0.72 * covered]
+    })?;
+    let wheel = SlopeMap::from_function(64, SlopeDomain::All, |[x, y]| {
+        let steep = x.hypot(y);
+        let part = 0.45 / steep.max(0.1);
+        [0.5 + part * x, 0.5 + part * y, 0.5 - part * x, steep / (1.0 + steep)]
+    })?;
+    let (snow, wheel) =
+        (|| Scene::new("snow").slope_map(snow.clone()), || Scene::new("aspect").slope_map(wheel.clone()));
+    Ok(vec![
+        ("slope_map_default", snow()),
+        ("slope_map_unweighted", wheel().slope_tier(SlopeTier::Unweighted).slope_taps(SlopeTaps::One)),
+        ("slope_map_gaussian", snow().slope_tier(SlopeTier::Gaussian).slope_taps(SlopeTaps::Three)),
+        ("slope_map_pair", wheel().slope_tier(SlopeTier::Pair).slope_taps(SlopeTaps::Three)),
     ])
 }
 

@@ -7,6 +7,7 @@ mod knots;
 pub mod percentile;
 pub(crate) mod shared;
 pub mod slope;
+pub mod slope_map;
 pub(crate) mod steepness;
 mod terms;
 pub mod texture;

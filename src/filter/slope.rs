@@ -181,7 +181,7 @@ fn {name}_slope(mean_slope: vec2f, slope_covariance: vec3f{given}{parameters}) -
 }
 
 /// What `NAME_slope` says of its view.
-const VIEWED: &str = "
+pub(super) const VIEWED: &str = "
 ///
 /// `view` is a unit vector away from the surface, z along its normal. Below the horizon of the mean surface the color
 /// is that of the slopes that rise above it.";

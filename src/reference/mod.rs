@@ -16,6 +16,7 @@ pub mod perturbed;
 pub mod quadrature;
 pub mod roughness;
 pub mod slope;
+pub mod slope_map;
 pub mod slope_moments;
 pub mod slopes;
 pub mod smith;

@@ -12,6 +12,7 @@ use crate::filter::combine;
 use crate::filter::height::HeightTier;
 use crate::filter::irradiance::IrradianceTier;
 use crate::filter::slope::SlopeTier;
+use crate::filter::slope_map::SlopeTaps;
 use crate::filter::texture::{color_type, filter, Filter};
 use crate::filter::{Kernel, Tier};
 use crate::module::Export;
@@ -42,6 +43,8 @@ pub(super) enum Over {
     Heights(HeightTier),
     /// Slopes that are seen.
     Slopes(SlopeTier),
+    /// Slopes that are seen, from a table.
+    SlopeMap(SlopeTier, SlopeTaps),
     /// Lengths of slopes that are seen.
     Steepness,
     /// Normals that are seen.
@@ -86,6 +89,7 @@ impl Scene {
             Filtered::Height(map) => self.heights(map)?,
             Filtered::HeightPercentile(map) => vec![self.percentiles(map)?],
             Filtered::Slope(map) => self.slopes(map)?,
+            Filtered::SlopeMap(map) => self.slope_maps(map)?,
             Filtered::Steepness(map) => vec![self.steepnesses(map)?],
             Filtered::Irradiance(light) => self.irradiances(light)?,
         };
@@ -113,7 +117,8 @@ impl Scene {
     fn names_the_only_one(&self) -> bool {
         let height = self.height_tier.is_some_and(HeightTier::stands_alone);
         let naive = self.slope_tier == Some(SlopeTier::Naive);
-        self.tier.is_some() || height || naive || self.irradiance_tier.is_some()
+        let slope_map = self.slope_tier.is_some() && self.slope_taps.is_some();
+        self.tier.is_some() || height || naive || slope_map || self.irradiance_tier.is_some()
     }
 
     /// The tiers of C0 that the scene names or allows.

@@ -226,7 +226,7 @@ impl Expression {
             Self::Layer(scene) | Self::Channel(scene, _) => of(scene),
             Self::Number(value) => [0.0, f64::from(*value), f64::from(*value)],
             Self::Color(color) => {
-                let [low, high] = hull(color);
+                let [low, high] = hull(color.hull(), color.channels());
                 [0.0, low, high]
             }
             Self::Weight(_) => [0.0, -1.0, 1.0],
@@ -246,10 +246,8 @@ impl Expression {
     }
 }
 
-/// The lowest and the highest of all channels.
-pub(super) fn hull(map: &ColorMap) -> [f64; 2] {
-    let (low, high) = map.hull();
-    let used = map.channels();
+/// The lowest and the highest of the channels that a map's hull uses.
+pub(super) fn hull((low, high): ([f32; 4], [f32; 4]), used: usize) -> [f64; 2] {
     let ends = low[..used].iter().chain(&high[..used]).map(|channel| f64::from(*channel));
     [ends.clone().fold(f64::MAX, f64::min), ends.fold(f64::MIN, f64::max)]
 }

@@ -75,7 +75,7 @@ impl Scene {
                         return Err(Error::Conflict(what));
                     }
                     if matches!(leaf, Expression::Layer(_)) {
-                        channels.extend(scene.map().map(|map| map.channels()));
+                        channels.extend(scene.channels());
                     }
                     scenes.push(scene);
                 }

@@ -5,6 +5,7 @@ use crate::driver::Driver;
 use crate::filter::height::{HeightTier, Microsurface};
 use crate::transfer::color_map::ColorMap;
 use crate::transfer::irradiance::Irradiance;
+use crate::transfer::slope_map::SlopeMap;
 use crate::Error;
 
 /// What a scene filters, of which it has one.
@@ -18,6 +19,8 @@ pub(super) enum Filtered<'a> {
     HeightPercentile(&'a ColorMap),
     /// Cs by a component.
     Slope(&'a ColorMap),
+    /// Cs by the whole slope.
+    SlopeMap(&'a SlopeMap),
     /// Cs by length.
     Steepness(&'a ColorMap),
     /// Light on the normals that are seen.
@@ -31,6 +34,7 @@ impl std::fmt::Display for Filtered<'_> {
             Self::Height(_) => "a `height`",
             Self::HeightPercentile(_) => "a `height_percentile`",
             Self::Slope(_) => "a `slope`",
+            Self::SlopeMap(_) => "a `slope_map`",
             Self::Steepness(_) => "a `steepness`",
             Self::Irradiance(_) => "`irradiance`",
         })
@@ -42,7 +46,9 @@ impl Filtered<'_> {
     fn driven_by(self, driver: Driver) -> bool {
         match driver {
             Driver::Moments(_) => matches!(self, Self::Texture(_) | Self::Height(_)),
-            Driver::SlopeMoments(_) => matches!(self, Self::Slope(_) | Self::Steepness(_) | Self::Irradiance(_)),
+            Driver::SlopeMoments(_) => {
+                matches!(self, Self::Slope(_) | Self::SlopeMap(_) | Self::Steepness(_) | Self::Irradiance(_))
+            }
         }
     }
 }
@@ -58,6 +64,7 @@ impl Scene {
             self.height.as_ref().map(Filtered::Height),
             self.percentile.as_ref().map(Filtered::HeightPercentile),
             self.slope.as_ref().map(Filtered::Slope),
+            self.slope_map.as_ref().map(Filtered::SlopeMap),
             self.steepness.as_ref().map(Filtered::Steepness),
             self.irradiance.as_ref().map(Filtered::Irradiance),
         ]
@@ -73,8 +80,8 @@ impl Scene {
                 refused(format!("has more than one filter, {one} and {other}; make a scene of each"))
             }
             (None, _) => refused(
-                "filters nothing; give it a `texture`, a `height`, a `height_percentile`, a `slope`, a `steepness`, \
-                 `irradiance` or a `combination`"
+                "filters nothing; give it a `texture`, a `height`, a `height_percentile`, a `slope`, a `slope_map`, a \
+                 `steepness`, `irradiance` or a `combination`"
                     .into(),
             ),
         }
@@ -114,7 +121,9 @@ impl Scene {
         let mapped = heights || matches!(filtered, F::Texture(_) | F::Slope(_));
         let exact = |tier: HeightTier| percentiles && tier == HeightTier::Exact;
         let height_tier = self.height_tier.filter(|tier| !heights && !exact(*tier));
-        let slope_tier = self.slope_tier.filter(|_| !matches!(filtered, F::Slope(_)));
+        let slope_tier = self.slope_tier.filter(|_| !matches!(filtered, F::Slope(_) | F::SlopeMap(_)));
+        let slope_taps = self.slope_taps.filter(|_| !matches!(filtered, F::SlopeMap(_)));
+        let ranged = mapped || matches!(filtered, F::SlopeMap(_));
         let irradiance_tier = self.irradiance_tier.filter(|_| !matches!(filtered, F::Irradiance(_)));
         let hidden = !heights && !percentiles && self.microsurface != Microsurface::default();
         let driver = self.driver.filter(|driver| !filtered.driven_by(*driver));
@@ -123,9 +132,10 @@ impl Scene {
             self.tier.filter(|_| !mapped).map(|tier| format!("a color map's tier, {tier}")),
             height_tier.map(|tier| format!("a tier of heights, {tier}")),
             slope_tier.map(|tier| format!("a tier of slopes, {tier}")),
+            slope_taps.map(|taps| format!("{taps} from a table of slopes")),
             irradiance_tier.map(|tier| format!("a tier of irradiance, {tier}")),
             hidden.then(|| "a `microsurface`, which hides heights".to_owned()),
-            (self.ranges.is_some() && !mapped).then(|| "`ranges`, which are those of values".to_owned()),
+            (self.ranges.is_some() && !ranged).then(|| "`ranges`, which are those of values".to_owned()),
             self.reflectance.map(|_| "a `reflectance`, which a combination has".to_owned()),
             (percentiles && self.microsurface.perturbed)
                 .then(|| "noise on the heights, which has no percentile".to_owned()),

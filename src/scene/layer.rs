@@ -6,7 +6,7 @@ use super::Scene;
 use crate::filter::height::{surface, HeightTier, Microsurface};
 use crate::filter::shared::Shared;
 use crate::filter::texture::color_type;
-use crate::filter::{slope, steepness};
+use crate::filter::{slope, slope_map, steepness};
 use crate::table::Table;
 use crate::transfer::color_map::ColorMap;
 use crate::{Accuracy, Error};
@@ -66,9 +66,13 @@ impl Scene {
     /// # Errors
     /// A scene that no layer can be, or none of whose tiers is close enough.
     pub(super) fn layer<'a>(&self, scene: &'a Scene, weight: f64, count: usize) -> Result<Layer<'a>, Error> {
-        let Some(map) = scene.map() else {
-            let what = "is no layer of a combination, which has scenes with a color map";
-            return Err(Error::Conflict(format!("the scene `{}` {what}", scene.name)));
+        let (color_type, hull) = match (scene.map(), scene.map_of_slopes()) {
+            (Some(map), _) => (color_type(map), hull(map.hull(), map.channels())),
+            (None, Some(map)) => (slope_map::color_type(map), hull(map.hull(), map.channels())),
+            (None, None) => {
+                let what = "is no layer of a combination, which has scenes with a color map";
+                return Err(Error::Conflict(format!("the scene `{}` {what}", scene.name)));
+            }
         };
         if scene.driver.is_some() || scene.microsurface != Microsurface::default() {
             let what = "has a driver or a microsurface, which a layer takes from its combination";
@@ -93,11 +97,12 @@ impl Scene {
             Over::Values => "texture",
             Over::Heights(_) => "height",
             Over::Slopes(_) => "slope",
+            Over::SlopeMap(..) => "slope_map",
             Over::Steepness => "steepness",
             Over::Normals(_) => "irradiance",
         };
         let function = format!("{name}_{kind}");
-        Ok(Layer { scene, chosen, tables, function, color_type: color_type(map), hull: hull(map) })
+        Ok(Layer { scene, chosen, tables, function, color_type, hull })
     }
 }
 
@@ -108,7 +113,7 @@ pub(super) fn shared(layers: &[Layer<'_>], surface: Microsurface) -> Vec<Shared>
     for layer in layers {
         let of = match layer.chosen.over {
             Over::Heights(tier) => surface::shared(if exact { HeightTier::Exact } else { tier }, surface),
-            Over::Slopes(tier) => slope::shared(tier),
+            Over::Slopes(tier) | Over::SlopeMap(tier, _) => slope::shared(tier),
             Over::Steepness => steepness::shared(),
             Over::Values | Over::Normals(_) => Vec::new(),
         };

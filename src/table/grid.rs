@@ -17,7 +17,7 @@ pub struct Axis {
 }
 
 /// How the nodes of an axis are spread between its ends.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Spacing {
     /// Evenly, a node on each end.
     Linear,
@@ -27,7 +27,19 @@ pub enum Spacing {
     SquareRoot,
     /// Evenly at the centers of `count` cells, as a texture's texels lie in [0, 1].
     Centers,
+    /// Evenly in v / (unit + |v|), a node on each end: denser about 0, in the end to all numbers.
+    Companded {
+        /// The value that half of the nodes of an endless axis lie below.
+        unit: f64,
+    },
+    /// Evenly in the logarithm of 1 + 12 v / high, a node on each end: at small values as evenly as linear, at large
+    /// ones in even ratios. The low end is 0.
+    Logarithm,
 }
+
+/// How many times the value at the high end is that from which on the nodes of [`Spacing::Logarithm`] keep their ratio;
+/// the shader of `wgsl/filter/slope_map.wgsl` is given it.
+pub(crate) const BEND: f64 = 12.0;
 
 impl Axis {
     /// An evenly spaced axis that covers a range with its nodes on round numbers: a power of ten is a whole number of
@@ -89,6 +101,12 @@ impl Axis {
             Spacing::CubeRoot => self.low + span * part * part * part,
             Spacing::SquareRoot => self.low + span * part * part,
             Spacing::Centers => self.low + span * (number + 0.5) / self.count as f64,
+            Spacing::Companded { unit } => {
+                let [low, high] = [self.low, self.high].map(|end| end / (unit + end.abs()));
+                let companded = low + (high - low) * part;
+                unit * companded / (1.0 - companded.abs())
+            }
+            Spacing::Logarithm => self.high * (part * BEND.ln_1p()).exp_m1() / BEND,
         }
     }
 
@@ -101,6 +119,11 @@ impl Axis {
             Spacing::CubeRoot => part.max(0.0).cbrt() * last,
             Spacing::SquareRoot => part.max(0.0).sqrt() * last,
             Spacing::Centers => part * self.count as f64 - 0.5,
+            Spacing::Companded { unit } => {
+                let [low, high, at] = [self.low, self.high, value].map(|value| value / (unit + value.abs()));
+                (at - low) / (high - low) * last
+            }
+            Spacing::Logarithm => (BEND * value.max(0.0) / self.high).ln_1p() / BEND.ln_1p() * last,
         };
         number.clamp(0.0, last)
     }

@@ -83,7 +83,7 @@ impl Lattice {
     }
 
     /// What a filtering sampler returns at a column's, a row's and a slice's value.
-    fn filtered(self, texels: &[f32], at: [f64; 3]) -> [f64; 4] {
+    pub(super) fn filtered(self, texels: &[f32], at: [f64; 3]) -> [f64; 4] {
         let numbers = [0, 1, 2].map(|axis| self.0[axis].number(at[axis]));
         let mut sum = [0.0; 4];
         for corner in 0..8 {
@@ -102,12 +102,13 @@ impl Lattice {
     }
 }
 
-fn half_rounded(value: f64) -> f32 {
+/// The value as a half stores it.
+pub(super) fn half_rounded(value: f64) -> f32 {
     half::f16::from_f64(value).to_f32()
 }
 
 /// The results of all rows in order, on as many threads as the machine has.
-fn rows(count: usize, row: impl Fn(usize) -> Vec<f32> + Sync) -> Vec<f32> {
+pub(super) fn rows(count: usize, row: impl Fn(usize) -> Vec<f32> + Sync) -> Vec<f32> {
     let threads = std::thread::available_parallelism().map_or(1, |threads| threads.get()).min(count.max(1));
     let mut results: Vec<Vec<f32>> = vec![Vec::new(); count];
     let share = count.div_ceil(threads).max(1);

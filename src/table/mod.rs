@@ -4,6 +4,7 @@ pub(crate) mod bake;
 pub mod grid;
 mod lattice;
 pub(crate) mod rice;
+pub(crate) mod slope_map;
 pub(crate) mod strip;
 
 /// How a table's texels are stored.

@@ -211,7 +211,8 @@ impl ColorMap {
     }
 }
 
-fn four<const N: usize>(color: [f32; N]) -> Result<[f32; 4], Error> {
+/// A color of three or four channels with four.
+pub(super) fn four<const N: usize>(color: [f32; N]) -> Result<[f32; 4], Error> {
     if N != 3 && N != 4 {
         return Err(Error::Size { what: "the channels of a color".into(), count: N, allowed: "3 or 4".into() });
     }

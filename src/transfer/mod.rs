@@ -9,4 +9,5 @@ pub(crate) mod pieces;
 mod sampled_gradient;
 #[cfg(feature = "serde")]
 mod serial;
+pub mod slope_map;
 pub mod srgb;

@@ -1,7 +1,9 @@
-//! Serialization of color maps and irradiance through their parts, so that what is read back has passed every check.
+//! Serialization of color maps, irradiance and maps of slopes through their parts, so that what is read back has passed
+//! every check.
 
 use super::color_map::{ColorMap, Knot, MAX_COLOR};
 use super::irradiance::Irradiance;
+use super::slope_map::{SlopeDomain, SlopeMap};
 use crate::Error;
 
 #[derive(serde::Serialize, serde::Deserialize)]
@@ -57,5 +59,36 @@ impl TryFrom<Terms> for Irradiance {
             }
         }
         Ok(Self { polynomial })
+    }
+}
+
+/// The parts of a map of slopes.
+#[derive(serde::Serialize, serde::Deserialize)]
+pub(super) struct Grid {
+    channels: usize,
+    domain: SlopeDomain,
+    size: usize,
+    colors: Vec<[f32; 4]>,
+}
+
+impl From<SlopeMap> for Grid {
+    fn from(map: SlopeMap) -> Self {
+        Self { channels: map.channels, domain: map.domain, size: map.size, colors: map.colors }
+    }
+}
+
+impl TryFrom<Grid> for SlopeMap {
+    type Error = Error;
+
+    fn try_from(Grid { channels, domain, size, colors }: Grid) -> Result<Self, Error> {
+        if channels != 3 && channels != 4 {
+            let what = "the channels of a color".into();
+            return Err(Error::Size { what, count: channels, allowed: "3 or 4".into() });
+        }
+        let fourth = colors.iter().map(|color| color[3]).find(|&fourth| fourth != 0.0);
+        if let (3, Some(fourth)) = (channels, fourth) {
+            return Err(Error::value("the fourth channel of a map with three", fourth, "0"));
+        }
+        Self::checked(domain, size, colors, channels)
     }
 }

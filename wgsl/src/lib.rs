@@ -55,5 +55,6 @@ pub const FILES: &[File] = shelf![
     "filter/irradiance.wgsl",
     "filter/perturbed.wgsl",
     "filter/percentile.wgsl",
+    "filter/slope_map.wgsl",
     "filter/texture.wgsl",
 ];

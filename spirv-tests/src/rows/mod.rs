@@ -16,6 +16,7 @@ mod normals;
 mod percentile;
 mod perturbed;
 mod roughness;
+mod slope_map;
 mod slope_moments;
 mod slopes;
 mod smith;
@@ -155,6 +156,7 @@ pub fn all() -> Vec<Row> {
         perturbed::rows(),
         roughness::rows(),
         slope_moments::rows(),
+        slope_map::rows(),
         slopes::rows(),
         smith::rows(),
         steepness::rows(),

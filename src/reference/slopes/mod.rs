@@ -170,6 +170,18 @@ impl Visible {
         sums.map(|sum| sum / whole)
     }
 
+    /// The mean over the visible slopes of a function of slopes that may be steep: of the function's means over slopes
+    /// with one component along the view, `place + w across` with w standard normal, which are smooth along the view
+    /// where slopes deviate across it.
+    pub fn lines<const N: usize>(&self, function: impl Fn([f64; 2], [f64; 2]) -> [f64; N]) -> [f64; N] {
+        let ([d, _], deviation, _, _) = self.frame();
+        let mean = d[0] * self.mean[0] + d[1] * self.mean[1];
+        // The weight is smooth, the function may not be: half a deviation at most has five panels.
+        let breaks: Vec<f64> = (-20..=20).map(|index| mean + 0.5 * f64::from(index) * deviation).collect();
+        let [whole] = self.along(&breaks, |_, _| [1.0]);
+        self.along(&breaks, function).map(|sum| sum / whole)
+    }
+
     /// Mean and covariance of the visible slopes.
     pub fn moments(&self) -> ([f64; 2], [f64; 3]) {
         let mean = self.average_along(|slope| slope);

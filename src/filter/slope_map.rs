@@ -1,0 +1,204 @@
+//! Cs of a map of the whole slope, such as a wheel of aspects: reads from a table of the map's means over round normal
+//! distributions of slopes.
+//!
+//! The visible slopes are represented by one or two normal distributions, as in [`slope`](super::slope), and each of
+//! those by a few round ones along its major axis.
+
+use super::shared::statements;
+use super::slope::{shared, SlopeTier, VIEWED};
+use super::texture::{number, Filter};
+use crate::accuracy::{Bound, Ranges};
+use crate::table::grid::{Axis, Spacing, BEND};
+use crate::table::slope_map::{Baked, Plan};
+use crate::table::Table;
+use crate::transfer::slope_map::{SlopeDomain, SlopeMap};
+
+/// How many reads of the table stand for one normal distribution of slopes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum SlopeTaps {
+    /// A round distribution of the same area, for slopes that vary alike in all directions.
+    One,
+    /// Three round ones along the major axis, for axes of ratios up to 2.2.
+    Three,
+    /// Five, for axes of ratios up to 4.
+    Five,
+}
+
+impl std::fmt::Display for SlopeTaps {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        formatter.write_str(match self {
+            Self::One => "one read",
+            Self::Three => "three reads",
+            Self::Five => "five reads",
+        })
+    }
+}
+
+/// Nodes along each component of the mean slope, and along the deviation: the latter stand in
+/// `wgsl/filter/slope_map.wgsl` too.
+const NODES: [usize; 2] = [128, 20];
+
+/// Where no ranges are given: mean slopes to 1 either way, deviations to 0.5.
+pub(crate) const RANGES: Ranges = Ranges { mean: (-1.0, 1.0), deviation: 0.5 };
+
+/// How far reads may lie beyond the mean of all slopes, in deviations: 1.664 for the pair at the horizon, and as much
+/// for the outermost of five on the axis across.
+const REACH: f64 = 3.4;
+
+/// How far a map that is constant beyond its domain blurs out of it, in deviations.
+const BLUR: f64 = 3.0;
+
+/// The smallest deviation that the table's error counts from, as a part of the largest.
+const FLOOR: f64 = 0.24;
+
+/// The smallest deviation that a bound holds from.
+pub(crate) fn floor(ranges: Ranges) -> f64 {
+    FLOOR * f64::from(ranges.deviation)
+}
+
+/// How many times narrower than all slopes those are that a tier reads the table for, at most: seen from the horizon,
+/// one normal distribution has 0.655 of the deviation along the view, and the narrower one of two 0.39.
+fn narrow(tier: SlopeTier) -> f64 {
+    match tier {
+        SlopeTier::Naive => 0.0,
+        SlopeTier::Unweighted => 1.0,
+        SlopeTier::Gaussian => 0.65,
+        SlopeTier::Pair => 0.38,
+    }
+}
+
+/// A map's table with the numbers by which it is read.
+pub(crate) struct Atlas {
+    baked: Baked,
+    layout: String,
+    ranges: Ranges,
+}
+
+impl Atlas {
+    /// The table of a map.
+    pub(crate) fn new(map: &SlopeMap, ranges: Ranges) -> Self {
+        let [mean, deviation] = [ranges.largest_mean(), ranges.deviation].map(f64::from);
+        let farthest = mean + REACH * deviation;
+        let inside = 1.0 - 1.0 / NODES[0] as f64;
+        // Over all slopes nodes are those of a map of as many cells. Where the map ends, what is blurred out of it
+        // needs fewer nodes than the map.
+        let (high, unit) = match map.domain() {
+            SlopeDomain::Within(reach) => {
+                let high = f64::from((f64::from(reach) + BLUR * deviation).min(farthest) as f32);
+                (high, high)
+            }
+            SlopeDomain::All => (NODES[0] as f64 - 1.0, 1.0),
+        };
+        let slopes = Axis { low: -high, high, count: NODES[0], spacing: Spacing::Companded { unit } };
+        let per_slope = 0.5 * inside * (unit + high) / (unit * high);
+        let deviations = Axis { low: 0.0, high: deviation, count: NODES[1], spacing: Spacing::Logarithm };
+        let baked = Plan { map: &map.reference(), slopes, deviations, farthest, smooth: floor(ranges) }.table("table");
+        let per_octave = (1.0 - 1.0 / NODES[1] as f64) / (1.0 + BEND).log2();
+        let layout = [per_slope, 1.0 / unit, BEND / deviation, per_octave].map(|value| number(value as f32)).join(", ");
+        Self { baked, layout, ranges }
+    }
+}
+
+/// The largest error of a step, of a disc about the slope 0 and of a quarter of all directions, for views above the
+/// horizon of the mean surface whose slopes' covariance has axes of ratios up to 2; of one, three and five reads.
+/// `shapes_keep_the_figures_of_their_tiers` in `spirv-tests/tests/slope_map/figures.rs` measures them on the device.
+const UNWEIGHTED: [f64; 3] = [0.643, 0.587, 0.579];
+const GAUSSIAN: [f64; 3] = [0.163, 4.75e-2, 4.7e-2];
+const PAIR: [f64; 3] = [0.177, 6.15e-2, 2.35e-2];
+
+/// The largest error of a map with one edge from 0 to 1.
+pub(crate) fn edge_error(tier: SlopeTier, taps: SlopeTaps) -> f64 {
+    let errors = match tier {
+        SlopeTier::Naive => [1.0; 3],
+        SlopeTier::Unweighted => UNWEIGHTED,
+        SlopeTier::Gaussian => GAUSSIAN,
+        SlopeTier::Pair => PAIR,
+    };
+    errors[taps as usize]
+}
+
+/// The filter of a tier.
+pub(crate) fn over(atlas: &Atlas, map: &SlopeMap, tier: SlopeTier, taps: SlopeTaps) -> Filter {
+    let function = match taps {
+        SlopeTaps::One => "slope_map_one",
+        SlopeTaps::Three => "slope_map_three",
+        SlopeTaps::Five => "slope_map_five",
+    };
+    let layout = &atlas.layout;
+    let read =
+        |mean: &str, covariance: &str| format!("{function}({mean}, {covariance}, {layout}, table, table_sampler)");
+    let part = |mean: &str, variance: &str| {
+        read(&format!("mean_slope + {mean} * factor.xy"), &format!("slopes_covariance(factor, {variance})"))
+    };
+    let channels = if map.channels() == 3 { ".rgb" } else { "" };
+    let body = match tier {
+        SlopeTier::Naive => {
+            format!("    return slope_map_read(mean_slope, 0.0, {layout}, table, table_sampler){channels};\n")
+        }
+        SlopeTier::Unweighted => format!("    return {}{channels};\n", read("mean_slope", "slope_covariance")),
+        SlopeTier::Gaussian => format!("    return {}{channels};\n", part("moments.x", "moments.y")),
+        SlopeTier::Pair => format!(
+            "    var c = {};
+    if parameter < slopes_single {{
+        c = 0.5 * (c + {});
+    }}
+    return c{channels};
+",
+            part("pair.x", "pair.y"),
+            part("pair.z", "pair.w")
+        ),
+    };
+    let table = Table { error: atlas.baked.error(narrow(tier) * floor(atlas.ranges)), ..atlas.baked.table.clone() };
+    let bound = 2.0 * (f64::from(table.error) + edge_error(tier, taps) * map.widest_span());
+    Filter { body, bound: Bound::Estimated(bound as f32), tables: vec![table], trips: 1 }
+}
+
+/// What `NAME_slope_map` takes between the slopes' statistics and the tables, behind a comma.
+pub(crate) fn given(tier: SlopeTier) -> &'static str {
+    match tier {
+        SlopeTier::Unweighted => "",
+        SlopeTier::Naive | SlopeTier::Gaussian | SlopeTier::Pair => ", view: vec3f",
+    }
+}
+
+/// The type of a map's colors.
+pub(crate) fn color_type(map: &SlopeMap) -> &'static str {
+    if map.channels() == 3 {
+        "vec3f"
+    } else {
+        "vec4f"
+    }
+}
+
+/// `NAME_slope_map` with a body.
+pub(crate) fn glue(
+    name: &str,
+    map: &SlopeMap,
+    atlas: &Atlas,
+    tier: SlopeTier,
+    label: &str,
+    parameters: &str,
+    body: &str,
+) -> String {
+    let weighted = tier != SlopeTier::Unweighted;
+    let color = color_type(map);
+    format!(
+        "/// Mean color of `{name}` over {},
+/// by {label}.
+///
+/// A facet of the slope s has a normal along (-s.x, -s.y, 1). Slopes have a mean and a covariance, xx, xy, yy.
+/// Deviations count up to {}. The table errs by up to {:.1e}, from a deviation of {:.3} on by {:.1e}.{}
+fn {name}_slope_map(mean_slope: vec2f, slope_covariance: vec3f{}{parameters}) -> {color} {{
+{}{body}}}
+",
+        if weighted { "the slopes that are seen" } else { "all slopes" },
+        atlas.ranges.deviation,
+        atlas.baked.error(0.0),
+        floor(atlas.ranges),
+        atlas.baked.error(floor(atlas.ranges)),
+        if weighted { VIEWED } else { "" },
+        given(tier),
+        statements(&shared(tier))
+    )
+}
