@@ -92,14 +92,15 @@ impl Scene {
     /// # Errors
     /// Another filter, or a setting that belongs to its layers.
     pub(super) fn combines(&self) -> Result<(), Error> {
-        let slopes = self.slope_tier.map(|tier| format!("a tier of slopes, {tier}"));
         let irradiance = self.irradiance_tier.filter(|_| self.irradiance.is_none());
         let settings = [
             self.map().map(|_| "a color map of its own".to_owned()),
+            self.slope_map.as_ref().map(|_| "a map of slopes of its own".to_owned()),
             self.driver.map(|_| "a driver".to_owned()),
             self.tier.map(|tier| format!("a color map's tier, {tier}")),
             self.height_tier.map(|tier| format!("a tier of heights, {tier}")),
-            slopes,
+            self.slope_tier.map(|tier| format!("a tier of slopes, {tier}")),
+            self.slope_taps.map(|taps| format!("reads of a map of slopes, {taps}")),
             self.ranges.map(|_| "`ranges`".to_owned()),
         ];
         if let Some(setting) = settings.into_iter().flatten().next() {

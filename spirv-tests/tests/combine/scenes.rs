@@ -1,7 +1,7 @@
 //! Which combinations there are, and that their colors are sums and products of their layers'.
 
 use prefilter::gpu::Device;
-use prefilter::{Accuracy, ColorMap, Combination, Error, Irradiance, Microsurface, Scene};
+use prefilter::{Accuracy, ColorMap, Combination, Error, Irradiance, Microsurface, Scene, SlopeMap};
 use spirv_tests::any;
 use spirv_tests::random::Random;
 
@@ -22,6 +22,10 @@ fn sand() -> Result<Scene, Error> {
 
 fn grain() -> Result<Scene, Error> {
     Ok(Scene::new("grain").texture(ColorMap::gradient([(0.1, [0.5; 3]), (0.9, [1.0, 0.95, 0.9])])?))
+}
+
+fn flat() -> Result<SlopeMap, Error> {
+    SlopeMap::from_texels(2, 1.0, &[[0.2; 3], [0.4; 3], [0.6; 3], [0.8; 3]])
 }
 
 fn sky() -> Result<Irradiance, Error> {
@@ -151,6 +155,8 @@ fn refuses_what_is_no_combination() -> Outcome {
     let scene = || Scene::new("hills").combination(&rock);
     for (scene, what) in [
         (scene().slope_tier(prefilter::SlopeTier::Pair), "a tier of slopes"),
+        (scene().slope_taps(prefilter::SlopeTaps::Five), "reads of a map"),
+        (scene().slope_map(flat()?), "a map of slopes"),
         (scene().texture(ColorMap::gradient([(0.0, [0.1; 3])])?), "a color map of its own"),
         (scene().irradiance_tier(prefilter::IrradianceTier::Points), "has not"),
         (rock.clone().reflectance(prefilter::Reflectance::Given), "a `reflectance`"),
@@ -159,6 +165,26 @@ fn refuses_what_is_no_combination() -> Outcome {
         assert!(error.to_string().contains(what), "{error}");
     }
     assert!(Combination::weight("1st").is_err() && Combination::color([f32::NAN; 3]).is_err());
+    Ok(())
+}
+
+/// Maps of the whole slope are layers, too, and lit together.
+#[test]
+fn maps_of_slopes_are_layers() -> Outcome {
+    let device = Device::new()?;
+    let (aspect, high) = (Scene::new("aspect").slope_map(flat()?), high()?);
+    let module = Scene::new("hills").combination(&aspect * &high).irradiance(sky()?).module()?;
+    let alone = aspect.module()?;
+    let mut number = points(100);
+    let combined = run(&device, &module, "hills_combined", 100, &mut number)?;
+    let map = run(&device, &alone, "aspect_slope_map", 100, &mut number)?;
+    let mask = run(&device, &high.module()?, "high_height", 100, &mut number)?;
+    for ((combined, map), mask) in combined.iter().zip(map).zip(mask) {
+        for channel in 0..3 {
+            assert!((combined[channel] - map[channel] * mask[channel]).abs() < 1e-6, "{combined:?} {map:?} {mask:?}");
+        }
+    }
+    assert!(run(&device, &module, "hills_lit", 100, &mut number)?.iter().flatten().all(|part| part.is_finite()));
     Ok(())
 }
 
