@@ -193,7 +193,12 @@ pub fn steepnesses() -> Result<Vec<(&'static str, Scene)>> {
         (1.2, [0.31, 0.28, 0.26]),
     ])?;
     let cliff = || Scene::new("cliff").steepness(cliff.clone());
-    Ok(vec![("steepness_default", cliff()), ("steepness_dynamic", cliff().colors(Colors::Dynamic))])
+    Ok(vec![
+        ("steepness_default", cliff()),
+        ("steepness_dynamic", cliff().colors(Colors::Dynamic)),
+        ("steepness_naive", cliff().slope_tier(SlopeTier::Naive)),
+        ("steepness_pair", cliff().slope_tier(SlopeTier::Pair)),
+    ])
 }
 
 /// The scenes of slopes from a map's pyramid.

@@ -1,8 +1,12 @@
-//! Cs of a map of the steepness |s|, such as rock on cliffs: one read from a table over the distributions of Rice, of
-//! which one has the mean and the variance of |s|² over the slopes that a view sees.
+//! Cs of a map of the steepness |s|, such as rock on cliffs, by distributions of Rice: reads from a table over them.
+//!
+//! One has the mean and the variance of |s|² over the slopes that a view sees. Closer are ten: two normal distributions
+//! stand for the visible slopes, as in [`slope`](super::slope), and five round ones along the major axis for each of
+//! those, whose lengths have distributions of Rice.
 
 use super::height::variation;
 use super::shared::{statements, Shared};
+use super::slope::{self, SlopeTier};
 use super::texture::{bends, color_type, number, swizzle, Filter};
 use crate::accuracy::{Bound, Ranges};
 use crate::table::grid::{Axis, Spacing};
@@ -13,64 +17,136 @@ use crate::transfer::color_map::{ColorMap, Colors};
 const NODES: [usize; 2] = [256, 32];
 
 /// The largest error of a step for views above the horizon of the mean surface, whose slopes' covariance has axes of
-/// ratios up to 2; `steps_of_steepness_keep_their_figures` in `spirv-tests/tests/slope/steepness.rs` measures it on the
-/// device.
-pub(crate) const STEP: f64 = 0.105;
+/// ratios up to 2; `steps_of_steepness_keep_their_figures` in `spirv-tests/tests/slope/steepness.rs` measures them on
+/// the device.
+const NAIVE: f64 = 1.0;
+const ONE: f64 = 0.105;
+const TEN: f64 = 0.026;
 
-/// The smallest σ that bounds hold from, as a part of the largest ν.
+/// The largest error of a step.
+pub(crate) fn step(tier: SlopeTier) -> f64 {
+    match tier {
+        SlopeTier::Naive => NAIVE,
+        SlopeTier::Unweighted | SlopeTier::Gaussian => ONE,
+        SlopeTier::Pair => TEN,
+    }
+}
+
+/// The tier in words.
+pub(crate) fn label(tier: SlopeTier) -> &'static str {
+    match tier {
+        SlopeTier::Naive => "the mean slope",
+        SlopeTier::Unweighted | SlopeTier::Gaussian => "one distribution of Rice",
+        SlopeTier::Pair => "ten distributions of Rice",
+    }
+}
+
+/// The smallest σ that bounds hold from, as a part of the largest ν of one distribution.
 const FLOOR: f64 = 1e-3;
 
-/// How far ν may lie beyond the mean slope's length, and how large σ may be, in deviations of the widest axis: 1.334
-/// and 1.218, as the same test finds.
+/// How far ν may lie beyond the mean slope's length, and how large σ may be, in deviations of the widest axis, as the
+/// same test finds: 1.334 and 1.218 for one distribution, 2.9 and less than 1 for ten.
 const REACH: f32 = 1.35;
+const REACH_OF_TEN: f32 = 3.1;
 const WIDTH: f32 = 1.25;
+
+/// The smallest σ of ten distributions for axes of ratios up to 2, in deviations of the widest axis: half of the root
+/// of 0.152, the variance of the lower one of the pair at the horizon.
+const NARROWEST_OF_TEN: f64 = 0.19;
 
 /// The smallest deviation that a bound holds from.
 pub(crate) fn floor(ranges: Ranges) -> f32 {
-    (FLOOR as f32 * highest(ranges)).max(1e-5)
+    (FLOOR as f32 * highest(ranges, REACH)).max(1e-5)
 }
 
-fn highest(ranges: Ranges) -> f32 {
-    ranges.mean.1.max(0.0) + REACH * ranges.deviation
+fn highest(ranges: Ranges, reach: f32) -> f32 {
+    ranges.mean.1.max(0.0) + reach * ranges.deviation
 }
+
+/// A tier of a map of |s|.
+pub(crate) struct Steepness {
+    /// What averages over the visible slopes.
+    pub filter: Filter,
+    /// The body of the mean over all slopes of a normal distribution, seen alike.
+    pub alike: String,
+}
+
+/// The view to which all slopes count alike.
+const ALIKE: &str = "    let view = vec3f(0.0, 0.0, 1.0);\n";
 
 /// The filter of a map of |s|.
-pub(crate) fn filter(map: &ColorMap, colors: Colors, ranges: Ranges) -> Filter {
-    let highest = f64::from(highest(ranges));
+pub(crate) fn filter(map: &ColorMap, colors: Colors, tier: SlopeTier, ranges: Ranges) -> Steepness {
+    let (reach, narrowest) = match tier {
+        SlopeTier::Pair => (REACH_OF_TEN, NARROWEST_OF_TEN),
+        SlopeTier::Naive | SlopeTier::Unweighted | SlopeTier::Gaussian => (REACH, 1.0),
+    };
+    let highest = f64::from(highest(ranges, reach));
     let centers = match colors {
         Colors::Constant => Axis::fitted(0.0, highest, NODES[0], &bends(map)).in_f32(),
         Colors::Dynamic => Axis::round(0.0, highest, NODES[0]).in_f32(),
     };
     let widest = WIDTH * ranges.deviation;
     let deviations = Axis { low: 0.0, high: widest.into(), count: NODES[1], spacing: Spacing::CubeRoot };
-    let reference = map.reference();
-    let table = Plan { map: &reference, centers, deviations, highest, floor: floor(ranges).into() }.table("table");
-    let body = format!(
-        "    return texture_table(rice.x, rice.y, {}, {}, {}, table, table_sampler){};
+    let (reference, floor) = (map.reference(), narrowest * f64::from(floor(ranges)));
+    let table = Plan { map: &reference, centers, deviations, highest, floor }.table("table");
+    let axes = [centers.low as f32, centers.high as f32, widest].map(number).join(", ");
+    let returned = |function: &str, arguments: &str| {
+        format!("    return {function}({arguments}, {axes}, table, table_sampler){};\n", swizzle(map))
+    };
+    let (body, alike) = match tier {
+        SlopeTier::Naive => {
+            let body = returned("texture_table", "length(mean_slope), 0.0");
+            (body.clone(), body)
+        }
+        SlopeTier::Unweighted | SlopeTier::Gaussian => {
+            let body = returned("texture_table", "rice.x, rice.y");
+            let alike = ALIKE.to_owned() + &statements(&shared(tier)) + &body;
+            (body, alike)
+        }
+        SlopeTier::Pair => {
+            let of = |mean: &str, variance: &str| {
+                let slopes = format!("mean_slope + {mean} * factor.xy, slopes_covariance(factor, {variance})");
+                format!("rice_five({slopes}, {axes}, table, table_sampler)")
+            };
+            let body = format!(
+                "    var c = {};
+    if parameter < slopes_single {{
+        c = 0.5 * (c + {});
+    }}
+    return c{};
 ",
-        number(centers.low as f32),
-        number(centers.high as f32),
-        number(widest),
-        swizzle(map)
-    );
-    let bound = 2.0 * f64::from(table.error) + STEP * variation(map);
-    Filter { body, bound: Bound::Estimated(bound as f32), tables: vec![table], trips: 1 }
+                of("pair.x", "pair.y"),
+                of("pair.z", "pair.w"),
+                swizzle(map)
+            );
+            (body, returned("rice_five", "mean_slope, slope_covariance"))
+        }
+    };
+    let bound = Bound::Estimated((2.0 * f64::from(table.error) + step(tier) * variation(map)) as f32);
+    Steepness { filter: Filter { body, bound, tables: vec![table], trips: 1 }, alike }
 }
 
-/// The distribution of Rice of the lengths that are seen.
-pub(crate) fn shared() -> Vec<Shared> {
-    let square = "steepness_moments(view, mean_slope, slope_covariance)";
-    let rice = "steepness_rice(square.x, square.y)";
-    vec![Shared::new("square", "vec2f", square), Shared::new("rice", "vec2f", rice)]
+/// The distribution of Rice of the lengths that are seen, or what the two normal distributions of the slopes need.
+pub(crate) fn shared(tier: SlopeTier) -> Vec<Shared> {
+    match tier {
+        SlopeTier::Naive => Vec::new(),
+        SlopeTier::Unweighted | SlopeTier::Gaussian => {
+            let square = "steepness_moments(view, mean_slope, slope_covariance)";
+            let rice = "steepness_rice(square.x, square.y)";
+            vec![Shared::new("square", "vec2f", square), Shared::new("rice", "vec2f", rice)]
+        }
+        SlopeTier::Pair => slope::shared(SlopeTier::Pair),
+    }
 }
 
 /// What `NAME_steepness` takes between the slopes' statistics and the tables, behind a comma.
 pub(crate) const GIVEN: &str = ", view: vec3f";
 
 /// `NAME_steepness` with a body.
-pub(crate) fn glue(name: &str, map: &ColorMap, parameters: &str, body: &str) -> String {
+pub(crate) fn glue(name: &str, map: &ColorMap, tier: SlopeTier, parameters: &str, body: &str) -> String {
     format!(
-        "/// Mean color of `{name}` over the slopes that are seen.
+        "/// Mean color of `{name}` over the slopes that are seen,
+/// by {}.
 ///
 /// Positions of the map are steepnesses, lengths of slopes: the tangent of a facet's angle with the plane across z.
 /// Slopes have a mean and a covariance, xx, xy, yy.
@@ -81,7 +157,8 @@ pub(crate) fn glue(name: &str, map: &ColorMap, parameters: &str, body: &str) -> 
 fn {name}_steepness(mean_slope: vec2f, slope_covariance: vec3f{GIVEN}{parameters}) -> {} {{
 {}{body}}}
 ",
+        label(tier),
         color_type(map),
-        statements(&shared())
+        statements(&shared(tier))
     )
 }

@@ -46,7 +46,7 @@ pub(super) enum Over {
     /// Slopes that are seen, from a table.
     SlopeMap(SlopeTier, SlopeTaps),
     /// Lengths of slopes that are seen.
-    Steepness,
+    Steepness(SlopeTier),
     /// Normals that are seen.
     Normals(IrradianceTier),
 }
@@ -90,7 +90,7 @@ impl Scene {
             Filtered::HeightPercentile(map) => vec![self.percentiles(map)?],
             Filtered::Slope(map) => self.slopes(map)?,
             Filtered::SlopeMap(map) => self.slope_maps(map)?,
-            Filtered::Steepness(map) => vec![self.steepnesses(map)?],
+            Filtered::Steepness(map) => self.steepnesses(map)?,
             Filtered::Irradiance(light) => self.irradiances(light)?,
         };
         if candidates.len() == 1 && self.names_the_only_one() {

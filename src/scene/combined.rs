@@ -193,7 +193,7 @@ impl Combined<'_> {
         let mut node: String = sloped.map(Layer::node_statement).collect();
         let lit = if self.four { format!("({}).xyz", self.color) } else { self.color.clone() };
         let _ = write!(node, "        let c = {lit};\n        let l = {facet};\n");
-        let steep = |layer: &Layer<'_>| matches!(layer.chosen.over, Over::Steepness);
+        let steep = |layer: &Layer<'_>| matches!(layer.chosen.over, Over::Steepness(SlopeTier::Gaussian));
         joint(mean, &node, color, self.layers.iter().any(steep))
     }
 

@@ -23,12 +23,12 @@ impl Scene {
         let covered = match (chosen.over, self.map()) {
             (Over::Heights(tier), Some(map)) => Some(self.covered(tier, map)),
             (Over::Slopes(tier), Some(map)) => Some(self.covered_slopes(tier, map)),
-            (Over::Steepness, Some(map)) => Some(self.covered_steepness(map)),
+            (Over::Steepness(tier), Some(map)) => Some(self.covered_steepness(tier, map)),
             (Over::SlopeMap(tier, taps), _) => {
                 self.slope_map.as_ref().map(|map| self.covered_slope_map(tier, taps, map))
             }
             (Over::Normals(tier), _) => Some(irradiance::covered(tier)),
-            (Over::Values | Over::Heights(_) | Over::Slopes(_) | Over::Steepness, _) => None,
+            (Over::Values | Over::Heights(_) | Over::Slopes(_) | Over::Steepness(_), _) => None,
         };
         if let Some(covered) = covered {
             let _ = writeln!(text, "  covers  {covered}");
@@ -46,7 +46,7 @@ impl Scene {
             (Over::Values, Some(driver)) => driver.gap(),
             (Over::Heights(_), driver) => driven(surface::gap(self.microsurface, self.percentile.is_some()), driver),
             (Over::Slopes(tier) | Over::SlopeMap(tier, _), driver) => driven(slope::gap(tier), driver),
-            (Over::Steepness, driver) => driven(slope::gap(SlopeTier::Gaussian), driver),
+            (Over::Steepness(_), driver) => driven(slope::gap(SlopeTier::Gaussian), driver),
             (Over::Normals(_), driver) => driven(irradiance::GAP.to_owned(), driver),
         };
         let _ = writeln!(text, "  not in the error: {gap}");
@@ -107,7 +107,7 @@ impl Scene {
             Over::Slopes(tier) => (self.slope_tier.map(|_| "slopes"), tier != SlopeTier::Naive),
             Over::SlopeMap(SlopeTier::Naive, _) => (self.slope_tier.map(|_| "slopes"), false),
             Over::SlopeMap(..) => (self.slope_tier.and(self.slope_taps).map(|_| "slopes"), false),
-            Over::Steepness => (None, false),
+            Over::Steepness(_) => (self.slope_tier.map(|_| "slopes"), false),
             Over::Normals(_) => (self.irradiance_tier.map(|_| "normals"), false),
         };
         let free = match (named, stacked && self.tier.is_none()) {
@@ -134,7 +134,7 @@ fn what(chosen: &Candidate) -> &'static str {
         Over::Heights(_) => "height (Ch)",
         Over::Slopes(_) => "slope (Cs)",
         Over::SlopeMap(..) => "slope map (Cs)",
-        Over::Steepness => "steepness (Cs)",
+        Over::Steepness(_) => "steepness (Cs)",
         Over::Normals(_) => "irradiance",
     }
 }
@@ -162,7 +162,7 @@ fn driven(gap: String, driver: Option<Driver>) -> String {
 
 /// Whether the bound is that of a distribution and of a map over it.
 fn stacked(candidate: &Candidate) -> bool {
-    matches!(candidate.over, Over::Heights(_) | Over::Slopes(_) | Over::SlopeMap(..) | Over::Steepness)
+    matches!(candidate.over, Over::Heights(_) | Over::Slopes(_) | Over::SlopeMap(..) | Over::Steepness(_))
 }
 
 fn described(candidate: &Candidate) -> String {

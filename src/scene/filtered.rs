@@ -3,6 +3,7 @@
 use super::Scene;
 use crate::driver::Driver;
 use crate::filter::height::{HeightTier, Microsurface};
+use crate::filter::slope::SlopeTier;
 use crate::transfer::color_map::ColorMap;
 use crate::transfer::irradiance::Irradiance;
 use crate::transfer::slope_map::SlopeMap;
@@ -122,9 +123,11 @@ impl Scene {
         let mapped = heights || matches!(filtered, F::Texture(_) | F::Slope(_));
         let exact = |tier: HeightTier| percentiles && tier == HeightTier::Exact;
         let height_tier = self.height_tier.filter(|tier| !heights && !exact(*tier));
-        let slope_tier = self.slope_tier.filter(|_| !matches!(filtered, F::Slope(_) | F::SlopeMap(_)));
+        let alike = self.slope_tier == Some(SlopeTier::Unweighted);
+        let slopes = matches!(filtered, F::Slope(_) | F::SlopeMap(_)) || matches!(filtered, F::Steepness(_)) && !alike;
+        let slope_tier = self.slope_tier.filter(|_| !slopes);
         let slope_taps = self.slope_taps.filter(|_| !matches!(filtered, F::SlopeMap(_)));
-        let ranged = mapped || matches!(filtered, F::SlopeMap(_));
+        let ranged = mapped || matches!(filtered, F::SlopeMap(_) | F::Steepness(_));
         let irradiance_tier = self.irradiance_tier.filter(|_| !matches!(filtered, F::Irradiance(_)));
         let hidden = !heights && !percentiles && self.microsurface != Microsurface::default();
         let driver = self.driver.filter(|driver| !filtered.driven_by(*driver));

@@ -98,7 +98,7 @@ impl Scene {
             Over::Heights(_) => "height",
             Over::Slopes(_) => "slope",
             Over::SlopeMap(..) => "slope_map",
-            Over::Steepness => "steepness",
+            Over::Steepness(_) => "steepness",
             Over::Normals(_) => "irradiance",
         };
         let function = format!("{name}_{kind}");
@@ -114,7 +114,7 @@ pub(super) fn shared(layers: &[Layer<'_>], surface: Microsurface) -> Vec<Shared>
         let of = match layer.chosen.over {
             Over::Heights(tier) => surface::shared(if exact { HeightTier::Exact } else { tier }, surface),
             Over::Slopes(tier) | Over::SlopeMap(tier, _) => slope::shared(tier),
-            Over::Steepness => steepness::shared(),
+            Over::Steepness(tier) => steepness::shared(tier),
             Over::Values | Over::Normals(_) => Vec::new(),
         };
         all.extend(of);

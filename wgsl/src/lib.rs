@@ -55,6 +55,7 @@ pub const FILES: &[File] = shelf![
     "filter/irradiance.wgsl",
     "filter/perturbed.wgsl",
     "filter/percentile.wgsl",
+    "filter/rice.wgsl",
     "filter/slope_map.wgsl",
     "filter/texture.wgsl",
 ];

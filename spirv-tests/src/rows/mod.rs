@@ -15,6 +15,7 @@ mod normal;
 mod normals;
 mod percentile;
 mod perturbed;
+mod rice;
 mod roughness;
 mod slope_map;
 mod slope_moments;
@@ -154,6 +155,7 @@ pub fn all() -> Vec<Row> {
         normals::rows(),
         percentile::rows(),
         perturbed::rows(),
+        rice::rows(),
         roughness::rows(),
         slope_moments::rows(),
         slope_map::rows(),

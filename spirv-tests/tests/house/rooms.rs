@@ -17,6 +17,9 @@ const NEEDS: &[(&str, &[&str])] = &[
 const INSTEAD: &[(&str, &str, &str)] = &[
     // Axes come in pairs: the inverse of the shader's axis is the baker's, which tables need anyway.
     ("wgsl/math/grid.wgsl", "src/reference/grid", "src/table/grid"),
+    // Distributions of Rice are how lengths of slopes are represented.
+    ("wgsl/filter/rice.wgsl", "src/filter/rice", "src/filter/steepness"),
+    ("wgsl/filter/rice.wgsl", "src/reference/rice", "src/reference/steepness"),
     // Noise is a switch of the surface that the heights belong to.
     ("wgsl/filter/perturbed.wgsl", "src/filter/perturbed", "src/filter/height/surface"),
 ];
