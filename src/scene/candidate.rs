@@ -30,6 +30,9 @@ const LOOPS: [&str; 3] = ["texture_knots", "height_knots", "percentile_knots"];
 /// Exports with a loop over the nodes of the visible slopes.
 const NODES: [&str; 2] = ["lit", "radiance"];
 
+/// The shelf's loops over the two sides of a mean slope.
+const SIDES: [&str; 2] = ["rice_five", "slope_map_five"];
+
 /// Where a scene of heights asks for no accuracy and no tier keeps the default, how many times the closest one's bound
 /// is near enough.
 const NEAR: f32 = 1.1;
@@ -167,6 +170,7 @@ impl Scene {
     /// The cost of the most expensive export.
     pub(super) fn cost(&self, linked: &Shader, exports: &[Export], tables: &[Table], trips: usize) -> Cost {
         let mut trips = BTreeMap::from(LOOPS.map(|name| (name.to_owned(), trips)));
+        trips.extend(SIDES.map(|name| (name.to_owned(), 2)));
         trips.extend(NODES.map(|export| (format!("{}_{export}", self.name), combine::NODES)));
         trips.extend(self.driver.map(|driver| (format!("{}_color", self.name), driver.trips())));
         let (module, info) = linked.parsed();
