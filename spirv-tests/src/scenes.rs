@@ -212,11 +212,14 @@ pub fn driven_slopes() -> Result<Vec<(&'static str, Scene)>> {
     let cliff = ColorMap::gradient([(0.4, [0.22, 0.31, 0.09]), (0.7, [0.46, 0.41, 0.36])])?;
     let sky = Irradiance::from_harmonics([[0.9, 1.1, 1.4]; 9])?;
     let hill = Scene::new("hill").irradiance(sky).colors(Colors::Dynamic);
+    let snow = SlopeMap::from_function(16, SlopeDomain::Within(0.5), |[x, y]| [0.5 + x, 0.5 - y, 0.25])?;
+    let snow = Scene::new("snow").slope_map(snow).slope_tier(SlopeTier::Gaussian).slope_taps(SlopeTaps::One);
     Ok(vec![
         ("slope_driven", dune(SlopeTier::Gaussian).driver(driven(Taps::One))),
         ("slope_driven_by_eight_taps", dune(SlopeTier::Pair).driver(driven(Taps::Eight))),
         ("slope_driven_unweighted", dune(SlopeTier::Unweighted).driver(driven(Taps::Two))),
         ("steepness_driven", Scene::new("cliff").steepness(cliff).driver(driven(Taps::Four))),
+        ("slope_map_driven", snow.driver(driven(Taps::Two))),
         ("irradiance_driven", hill.irradiance_tier(IrradianceTier::Points).driver(driven(Taps::Two))),
     ])
 }

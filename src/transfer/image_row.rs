@@ -1,4 +1,4 @@
-//! Color maps from images.
+//! Color maps from rows of images.
 
 use super::color_map::ColorMap;
 use super::srgb::color_to_linear;

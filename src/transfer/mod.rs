@@ -3,6 +3,8 @@
 pub mod color_map;
 #[cfg(feature = "image")]
 mod image_row;
+#[cfg(feature = "image")]
+mod image_sphere;
 pub mod irradiance;
 pub(crate) mod pieces;
 #[cfg(feature = "colorgrad")]

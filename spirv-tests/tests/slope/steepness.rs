@@ -7,7 +7,7 @@ use prefilter::gpu::Device;
 use prefilter::reference::footprint::deviations;
 use prefilter::reference::slopes::Visible;
 use prefilter::reference::steepness::{below, mean};
-use prefilter::{Accuracy, ColorMap, Error, Scene, SlopeTier, Tier};
+use prefilter::{Accuracy, ColorMap, Error, Ranges, Scene, SlopeTier, Tier};
 use spirv_tests::any;
 use spirv_tests::exports::ExportKernel;
 use spirv_tests::kernel::Function;
@@ -256,6 +256,9 @@ fn scenes_of_steepness_refuse_what_they_would_ignore() -> Outcome {
     }
     let asked = scene()?.accuracy(Accuracy::max_filter_error(1e-3)).module();
     assert!(matches!(asked, Err(Error::Accuracy { .. })));
+    // Ranges are its own.
+    let narrow = scene()?.ranges(Ranges { mean: (0.0, 0.5), deviation: 0.1 }).module()?;
+    assert!(narrow.explain().contains("means 0 to 0.5, deviations to 0.1"), "{}", narrow.explain());
     // Scenes stored before there was steepness still load.
     let older = Scene::new("rock").texture(named("terrain")?);
     let mut file = serde_json::to_value(&older)?;

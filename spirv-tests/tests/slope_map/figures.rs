@@ -189,6 +189,26 @@ fn shapes_keep_the_figures_of_their_tiers() -> Outcome {
     Ok(())
 }
 
+/// A flat mesh with a map of normals, whose slopes all count alike.
+#[test]
+fn flat_meshes_keep_the_figures_of_their_reads() -> Outcome {
+    let device = Device::new()?;
+    for (taps, figures) in
+        [("one", [0.0, 0.102, 0.2]), ("three", [0.0, 1.7e-2, 7.7e-2]), ("five", [0.0, 1.6e-3, 2.6e-2])]
+    {
+        for (aspect, figure) in [1.0, 2.0, 4.0].into_iter().zip(figures) {
+            let flat = |visible: Visible| Visible { view: [0.0, 0.0, 1.0], ..visible };
+            let views: Vec<Visible> = views(aspect, 0.5 * PI).into_iter().step_by(7).map(flat).collect();
+            let [step, disc, sector] = errors(&device, "all_alike", taps, &views)?;
+            println!("flat, {taps}, {aspect}:1: step {step:.3e}, disc {disc:.3e}, quarter {sector:.3e}");
+            let worst = step.max(disc).max(sector);
+            // Round distributions are themselves, to what the quadrature of the quarter leaves.
+            assert!(worst <= f64::max(figure, 1e-5) && 1.06 * worst >= figure, "{taps}, {aspect}: {worst}");
+        }
+    }
+    Ok(())
+}
+
 /// Seen from the horizon, the visible slopes are narrower along the view than all slopes are: those that vary four
 /// times as much across the view are too long for five reads. Up to 61 degrees from the view they are not.
 #[test]

@@ -24,7 +24,7 @@ fn two_orders_of_quadrature_agree() -> Outcome {
         mirrored.colors = (0..144).map(|at| map.colors[at % 12 * 12 + at / 12]).collect();
         for other in [map.mean_visible(&whole), mirrored.mean([mean[1], mean[0]], swapped)] {
             for (one, other) in found.iter().zip(other) {
-                assert!((one - other).abs() < 2e-5, "{mean:?} {covariance:?}: {one} {other}");
+                assert!((one - other).abs() < 4e-5, "{mean:?} {covariance:?}: {one} {other}");
                 worst = worst.max((one - other).abs());
             }
         }
@@ -58,7 +58,7 @@ fn values_are_bilinear_and_constant_beyond() -> Outcome {
     assert_eq!(map.value([7.0, 0.5])[..3], [1.0, 0.0, 1.0]);
     assert_eq!(map.mean([0.125, 0.5], [0.0; 3])[..3], [0.75, 0.5, 0.75]);
     // A ramp between two nodes in the middle of a wide distribution is half seen.
-    assert!((map.mean([0.0, 30.0], [1e-4, 0.0, 1e-4])[0] - 0.5).abs() < 1e-12);
+    assert!((map.mean([0.0, 30.0], [1e-4, 0.0, 1e-4])[0] - 0.5).abs() < 1e-11);
     Ok(())
 }
 

@@ -245,3 +245,16 @@ fn maps_of_slopes_are_layers() -> Outcome {
     assert!((0..3).all(|channel| (0.5 * alone[channel] - half[channel]).abs() < 1e-6), "{alone:?} {half:?}");
     Ok(())
 }
+
+/// A gray of 127 in sRGB is 0.2122 of the light; what is clear has none.
+#[test]
+fn images_of_spheres_are_maps() -> Outcome {
+    let gray = image::DynamicImage::ImageRgb8(image::RgbImage::from_pixel(8, 8, image::Rgb([127, 127, 127])));
+    let map = SlopeMap::image_normals(16, &gray)?;
+    assert_eq!((map.size(), map.channels(), map.domain()), (16, 3, SlopeDomain::All));
+    assert!(map.hull().0[..3].iter().chain(&map.hull().1[..3]).all(|value| (value - 0.2122).abs() < 1e-3));
+    let clear = image::DynamicImage::ImageRgba8(image::RgbaImage::from_pixel(8, 8, image::Rgba([127, 127, 127, 0])));
+    let map = SlopeMap::image_normals(16, &clear)?;
+    assert_eq!((map.channels(), map.hull()), (4, ([0.0; 4], [0.0; 4])));
+    Ok(())
+}

@@ -7,8 +7,9 @@ use super::normal::{cumulative, density};
 use super::quadrature::integrate;
 use super::slopes::Visible;
 
-/// Beyond this many deviations lies less than 1e-17 of a distribution.
-const FAR: f64 = 9.0;
+/// Beyond this many deviations lies less than 3e-12 of a distribution, and panels of so many leave as little.
+const FAR: f64 = 7.0;
+const PANEL: f64 = 3.0;
 
 /// A map that is bilinear between the nodes of a square grid of slopes and constant along either component beyond it.
 #[derive(Clone, Debug, PartialEq)]
@@ -58,7 +59,7 @@ impl Bilinear {
         let mut sum = std::array::from_fn(|channel| outside.iter().map(|(part, color)| part * color[channel]).sum());
         for pair in ends.windows(2) {
             let [from, to] = [0, 1].map(|end| pair[end].clamp(-FAR, FAR));
-            let part: [f64; 4] = integrate(from, to, 2.0, |w| at(w).map(|channel| density(w) * channel));
+            let part: [f64; 4] = integrate(from, to, PANEL, |w| at(w).map(|channel| density(w) * channel));
             add(&mut sum, part);
         }
         sum
@@ -78,7 +79,7 @@ impl Bilinear {
         ends.sort_by(f64::total_cmp);
         let mut sum = [0.0; 4];
         for pair in ends.windows(2) {
-            let part: [f64; 4] = integrate(pair[0], pair[1], 2.0, |u| {
+            let part: [f64; 4] = integrate(pair[0], pair[1], PANEL, |u| {
                 let place = [mean[0] + u * deviation, mean[1] + u * xy / deviation];
                 self.across(place, [0.0, rest]).map(|channel| density(u) * channel)
             });

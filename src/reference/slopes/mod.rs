@@ -176,8 +176,8 @@ impl Visible {
     pub fn lines<const N: usize>(&self, function: impl Fn([f64; 2], [f64; 2]) -> [f64; N]) -> [f64; N] {
         let ([d, _], deviation, _, _) = self.frame();
         let mean = d[0] * self.mean[0] + d[1] * self.mean[1];
-        // The weight is smooth, the function may not be: half a deviation at most has five panels.
-        let breaks: Vec<f64> = (-20..=20).map(|index| mean + 0.5 * f64::from(index) * deviation).collect();
+        // The weight is smooth, the function may not be: three quarters of a deviation have five panels.
+        let breaks: Vec<f64> = (-14..=14).map(|index| mean + 0.75 * f64::from(index) * deviation).collect();
         let [whole] = self.along(&breaks, |_, _| [1.0]);
         self.along(&breaks, function).map(|sum| sum / whole)
     }
