@@ -11,7 +11,7 @@ use crate::driver::Driver;
 use crate::filter::combine::Reflectance;
 use crate::filter::height::{self, surface, tier, HeightTier};
 use crate::filter::slope::SlopeTier;
-use crate::filter::{irradiance, slope};
+use crate::filter::{irradiance, slope, steepness};
 use crate::transfer::color_map::ColorMap;
 
 impl Scene {
@@ -46,7 +46,7 @@ impl Scene {
             (Over::Values, Some(driver)) => driver.gap(),
             (Over::Heights(_), driver) => driven(surface::gap(self.microsurface, self.percentile.is_some()), driver),
             (Over::Slopes(tier) | Over::SlopeMap(tier, _), driver) => driven(slope::gap(tier), driver),
-            (Over::Steepness(_), driver) => driven(slope::gap(SlopeTier::Gaussian), driver),
+            (Over::Steepness(_), driver) => driven(steepness::GAP.to_owned(), driver),
             (Over::Normals(_), driver) => driven(irradiance::GAP.to_owned(), driver),
         };
         let _ = writeln!(text, "  not in the error: {gap}");

@@ -5,6 +5,7 @@ use clap::Parser;
 use indicatif::{ProgressBar, ProgressStyle};
 use spirv_tests::gap::field::Spectrum;
 use spirv_tests::gap::slopes::{row, sloped, HEADER};
+use spirv_tests::gap::steepness::{self, steep};
 use spirv_tests::gap::study::Extent;
 use spirv_tests::gap::table::directions;
 use std::path::PathBuf;
@@ -15,30 +16,38 @@ use std::{fs, io};
 struct Arguments {
     #[command(flatten)]
     extent: Extent,
-    /// The folder of `slope_gap.csv`.
+    /// The folder of `slope_gap.csv` and `steepness_gap.csv`.
     #[arg(long, value_name = "DIR", default_value = "target/gap")]
     out: PathBuf,
 }
 
 fn main() -> io::Result<()> {
     let Arguments { extent, out } = Arguments::parse();
-    let bar = ProgressBar::new((Spectrum::ALL.len() * extent.seeds) as u64);
+    let bar = ProgressBar::new((2 * Spectrum::ALL.len() * extent.seeds) as u64);
     if let Ok(style) = ProgressStyle::with_template("{bar:40} {pos}/{len} {msg} {eta} left") {
         bar.set_style(style);
     }
     // Other deviations of slopes sample the same curve.
     let directions: Vec<[f64; 3]> = directions().into_iter().filter(|direction| direction[0] == 0.7).collect();
     let parameters: Vec<f64> = directions.iter().map(|[_, _, parameter]| *parameter).collect();
-    let mut rows = vec![HEADER.to_owned()];
+    let (mut rows, mut lengths) = (vec![HEADER.to_owned()], vec![steepness::HEADER.to_owned()]);
     for spectrum in Spectrum::ALL {
         bar.set_message(spectrum.name());
         let seen = sloped(spectrum, extent, &parameters, &|| bar.inc(1));
         let named = seen.iter().zip(&directions);
         rows.extend(named.map(|(seen, [deviation, degrees, _])| row(spectrum.name(), [*deviation, *degrees], seen)));
+        let steep = steep(spectrum, extent, &parameters, &|| bar.inc(1));
+        let named = steep.iter().zip(&directions);
+        lengths.extend(
+            named.map(|(seen, [deviation, degrees, _])| steepness::row(spectrum.name(), [*deviation, *degrees], seen)),
+        );
     }
     bar.finish_and_clear();
     fs::create_dir_all(&out)?;
-    let text = rows.join("\n") + "\n";
-    print!("{text}");
-    fs::write(out.join("slope_gap.csv"), text)
+    for (name, rows) in [("slope_gap.csv", rows), ("steepness_gap.csv", lengths)] {
+        let text = rows.join("\n") + "\n";
+        print!("{text}");
+        fs::write(out.join(name), text)?;
+    }
+    Ok(())
 }

@@ -59,12 +59,17 @@ impl Histogram {
     /// The largest difference between the share of these heights below a height and a cumulative function. What `all`
     /// heights of the same fields lack of a normal distribution is taken off: chance, which both have.
     pub fn step_error(&self, all: &Self, cumulative: impl Fn(f64) -> f64) -> f64 {
+        self.step_error_of(all, normal_cumulative, cumulative)
+    }
+
+    /// The same for quantities of which `all` are distributed as `ideal` says but for chance.
+    pub fn step_error_of(&self, all: &Self, ideal: impl Fn(f64) -> f64, cumulative: impl Fn(f64) -> f64) -> f64 {
         let (mut below, mut all_below, mut worst) = (0.0, 0.0, 0f64);
         for (index, (bin, all_bin)) in self.bins.iter().zip(&all.bins).enumerate() {
             below += bin / self.powers[0];
             all_below += all_bin / all.powers[0];
             let height = (index + 1) as f64 * (2.0 * REACH / BINS as f64) - REACH;
-            let chance = all_below - normal_cumulative(height);
+            let chance = all_below - ideal(height);
             worst = worst.max((below - chance - cumulative(height)).abs());
         }
         worst

@@ -61,5 +61,6 @@ pub mod light;
 pub mod model;
 pub mod sight;
 pub mod slopes;
+pub mod steepness;
 pub mod study;
 pub mod table;

@@ -35,30 +35,23 @@ impl Sight {
         sight
     }
 
-    /// Relative to the ray through a node, others sink by `ray` a texel ahead: those that still stand higher hide it.
     fn add_row(&mut self, row: &[f64], ray: f64, per_slope: f64) {
         let count = row.len();
-        let lifted = |index: usize| row[index] - ray * index as f64;
-        // Ahead of the row lies the next period, lower by a whole row of rays.
-        let period = ray * count as f64;
-        let mut horizon = (0..count).map(lifted).fold(f64::NEG_INFINITY, f64::max) - period;
-        for index in (0..count).rev() {
-            let (from, to) = (row[index], row[(index + 1) % count]);
-            let drop = from - to + ray;
+        for (index, from) in row.iter().enumerate() {
+            let drop = from - row[(index + 1) % count] + ray;
             if drop > 0.0 {
                 self.facing += 1.0;
                 self.facing_area += drop;
             }
-            let area = lifted(index) - horizon;
-            if area > 0.0 {
-                let share = (area / drop).min(1.0);
-                self.visible += share;
-                self.heights.add_ramp(from, from + share * (to - from), area);
-                self.slopes.add_height((to - from) * per_slope, area);
-                horizon = lifted(index);
-            }
         }
-        self.ground_area += period;
+        in_sight(row, ray, |index, area| {
+            let (from, to) = (row[index], row[(index + 1) % count]);
+            let share = (area / (from - to + ray)).min(1.0);
+            self.visible += share;
+            self.heights.add_ramp(from, from + share * (to - from), area);
+            self.slopes.add_height((to - from) * per_slope, area);
+        });
+        self.ground_area += ray * count as f64;
     }
 
     /// Adds the sums of another field.
@@ -69,6 +62,22 @@ impl Sight {
         self.visible += other.visible;
         self.facing_area += other.facing_area;
         self.ground_area += other.ground_area;
+    }
+}
+
+/// Finds the segments of a row that are in sight from its far end, at least in part, with their projected areas.
+///
+/// Relative to the ray through a node, others sink by `ray` a texel ahead: those that still stand higher hide it.
+pub(super) fn in_sight(row: &[f64], ray: f64, mut see: impl FnMut(usize, f64)) {
+    let lifted = |index: usize| row[index] - ray * index as f64;
+    // Ahead of the row lies the next period, lower by a whole row of rays.
+    let mut horizon = (0..row.len()).map(lifted).fold(f64::NEG_INFINITY, f64::max) - ray * row.len() as f64;
+    for index in (0..row.len()).rev() {
+        let area = lifted(index) - horizon;
+        if area > 0.0 {
+            see(index, area);
+            horizon = lifted(index);
+        }
     }
 }
 
