@@ -10,6 +10,7 @@ mod irradiance;
 #[cfg(feature = "joint")]
 mod joint;
 mod layer;
+mod leaves;
 mod percentile;
 mod slope;
 mod slope_map;
@@ -36,9 +37,9 @@ pub use joint::JointMap;
 /// What a material needs: what is filtered, over which values, and how closely.
 ///
 /// A scene filters one thing: one of [`Self::texture`], [`Self::height`], [`Self::height_percentile`], [`Self::slope`],
-/// [`Self::slope_map`], [`Self::steepness`] and [`Self::irradiance`]. A material that needs more has a scene for each,
-/// whose modules [`link`](crate::link) takes together. [`Self::module`] refuses two, and settings that have no meaning
-/// for what is filtered.
+/// [`Self::slope_map`], [`Self::steepness`] and [`Self::irradiance`], or a [`Self::combination`] of such scenes. A
+/// material that needs more has a scene for each, whose modules [`link`](crate::link) takes together. [`Self::module`]
+/// refuses two, and settings that have no meaning for what is filtered.
 ///
 /// ```
 /// use prefilter::{Accuracy, ColorMap, Scene};

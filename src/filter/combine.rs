@@ -49,28 +49,28 @@ its visibility
 /// of the colors and the light that `node` names `c` and `l` for `node_slope` and `node_covariance`. `channels` are
 /// those of the color that are lit. The color's own mean is `color`, or that over the nodes.
 pub(crate) fn joint(light: &str, node: &str, channels: &str, over_nodes: bool) -> String {
-    let mean = if over_nodes { "color_mean + moved" } else { "color_mean" };
+    let mean = if over_nodes { "color_over_all + moved" } else { "color_over_all" };
     format!(
-        "    let color_mean = color{channels};
-    let light_mean = {light};
+        "    let color_over_all = color{channels};
+    let light_over_all = {light};
     let node_covariance = combine_covariance(factor, moments);
     var moved = vec3f();
     var turned = vec3f();
     var both = vec3f();
-    var low = color_mean;
-    var high = color_mean;
+    var low = color_over_all;
+    var high = color_over_all;
     for (var at = 0; at < combine_nodes; at++) {{
         let node = combine_node(f32(at));
         let node_slope = combine_slope(node, mean_slope, factor, moments);
-{node}        let color_apart = c - color_mean;
-        let light_apart = l - light_mean;
+{node}        let color_apart = c - color_over_all;
+        let light_apart = l - light_over_all;
         moved += node.z * color_apart;
         turned += node.z * light_apart;
         both += node.z * color_apart * light_apart;
         low = min(low, c);
         high = max(high, c);
     }}
-    let joint = combine_joint({mean}, light_mean, moved, turned, both, low, high);
+    let joint = combine_joint({mean}, light_over_all, moved, turned, both, low, high);
 "
     )
 }

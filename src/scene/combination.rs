@@ -5,13 +5,15 @@ use std::ops::{Add, Mul, Neg, Sub};
 
 use super::Scene;
 use crate::filter::combine::Reflectance;
+use crate::filter::height::Microsurface;
 use crate::transfer::color_map::ColorMap;
 use crate::{name, Error};
 
 /// Colors of several layers, added and multiplied: each layer is a scene of its own, with its name and its settings.
 ///
-/// Scenes, numbers, constant colors and weights that the caller passes are added, subtracted and multiplied, channel by
-/// channel: `&snow * &high + &rock * (1.0 - &high)`. A scene may be mentioned more than once, and is evaluated once.
+/// Scenes, numbers up to ±65504, constant colors and weights that the caller passes are added, subtracted and
+/// multiplied, channel by channel: `&snow * &high + &rock * (1.0 - &high)`. A scene may be mentioned more than once,
+/// and is evaluated once.
 ///
 /// The mean of a sum is the sum of the means. The mean of a product is the product of the means where its factors know
 /// nothing of each other: values of differently named scenes of [`texture`](Scene::texture)s, heights, and slopes are
@@ -59,7 +61,8 @@ impl Scene {
     /// [`Self::reflectance`] `NAME_radiance(…, radiance, …)`, the whole of a directional light.
     ///
     /// The bound is that of the color. Each layer has its own tier, ranges and colors; an accuracy that the combination
-    /// asks for is shared among layers that ask for none.
+    /// asks for is shared among layers that ask for none. Accuracies and tiers of layers themselves are theirs,
+    /// whatever the whole then errs by.
     #[must_use]
     pub fn combination(self, combination: impl Into<Combination>) -> Self {
         Self { combination: Some(combination.into()), ..self }
@@ -86,7 +89,7 @@ impl Combination {
     /// # Errors
     /// A layer without a color map, or whose map has no such channel.
     pub fn channel(layer: &Scene, channel: usize) -> Result<Self, Error> {
-        let count = layer.map().map_or(0, ColorMap::channels);
+        let count = layer.channels().unwrap_or(0);
         if channel < count {
             return Ok(Self(Expression::Channel(Box::new(layer.clone()), channel)));
         }
@@ -95,6 +98,8 @@ impl Combination {
     }
 
     /// A weight from −1 to 1 that the caller passes as a parameter of this name: bounds hold for those.
+    ///
+    /// [`Scene::module`] refuses names that the module has for something else, such as `light`.
     ///
     /// # Errors
     /// A name that cannot stand in a shader.
@@ -179,17 +184,22 @@ impl Expression {
         }
     }
 
-    /// What a mean depends on: values by the name of their scene, `heights`, `slopes`.
+    /// What a mean depends on: values by the name of their scene, `heights`, `slopes`. Heights with noise on them
+    /// depend on the values of a layer `noise`, whose statistics are the noise's.
     ///
     /// # Errors
     /// A product of factors that depend on the same.
-    pub(super) fn variables(&self) -> Result<BTreeSet<String>, Error> {
+    pub(super) fn variables(&self, surface: Microsurface) -> Result<BTreeSet<String>, Error> {
         match self {
-            Self::Layer(scene) | Self::Channel(scene, _) => Ok(BTreeSet::from([scene.variable()])),
+            Self::Layer(scene) | Self::Channel(scene, _) => {
+                let own = scene.variable();
+                let noise = (surface.perturbed && own == "heights").then(|| "value `noise`".to_owned());
+                Ok(noise.into_iter().chain([own]).collect())
+            }
             Self::Number(_) | Self::Color(_) | Self::Weight(_) => Ok(BTreeSet::new()),
-            Self::Sum(a, b) => Ok(&a.variables()? | &b.variables()?),
+            Self::Sum(a, b) => Ok(&a.variables(surface)? | &b.variables(surface)?),
             Self::Product(a, b) => {
-                let (first, second) = (a.variables()?, b.variables()?);
+                let (first, second) = (a.variables(surface)?, b.variables(surface)?);
                 match first.intersection(&second).next() {
                     None => Ok(&first | &second),
                     Some(both) => Err(Error::Conflict(format!(
@@ -232,7 +242,7 @@ impl Expression {
             Self::Weight(_) => [0.0, -1.0, 1.0],
             Self::Sum(a, b) => {
                 let (a, b) = (a.error(of), b.error(of));
-                [0, 1, 2].map(|part| a[part] + b[part])
+                rounded([0, 1, 2].map(|part| a[part] + b[part]))
             }
             Self::Product(a, b) => {
                 let ([first, a, b], [second, c, d]) = (a.error(of), b.error(of));
@@ -240,10 +250,15 @@ impl Expression {
                 let ends = [a * c, a * d, b * c, b * d];
                 let (low, high) =
                     (ends.into_iter().fold(f64::MAX, f64::min), ends.into_iter().fold(f64::MIN, f64::max));
-                [first * most(c, d) + second * most(a, b) + first * second, low, high]
+                rounded([first * most(c, d) + second * most(a, b) + first * second, low, high])
             }
         }
     }
+}
+
+/// The error of an operation's result with what its rounding adds.
+fn rounded([error, low, high]: [f64; 3]) -> [f64; 3] {
+    [error + 1.2e-7 * low.abs().max(high.abs()), low, high]
 }
 
 /// The lowest and the highest of the channels that a map's hull uses.

@@ -6,6 +6,7 @@ use std::fmt::Write;
 use super::candidate::{parameters, Over};
 use super::combination::{Combination, Expression};
 use super::layer::{listed, literal, mentions, once, shared, Layer, STATISTICS};
+use super::leaves::Leaves;
 use super::Scene;
 use crate::accuracy::Bound;
 use crate::filter::combine::{joint, Reflectance, GIVEN, GIVEN_REFLECTANCE, INVERSE_PI, LAMBERT};
@@ -17,7 +18,7 @@ use crate::filter::slope::{self, SlopeTier};
 use crate::filter::texture::{number, Filter};
 use crate::module::Module;
 use crate::table::Table;
-use crate::{name, Error};
+use crate::Error;
 
 /// The parts of the exports of a combination.
 struct Combined<'a> {
@@ -34,22 +35,27 @@ impl Scene {
     /// The module of a combination.
     ///
     /// # Errors
-    /// A layer that cannot be one, factors that depend on the same, channels that differ, settings that it ignores.
+    /// A layer that cannot be one, factors that depend on the same, channels that differ, settings that it ignores, a
+    /// weight whose name is taken.
     pub(super) fn combined(&self, combination: &Combination) -> Result<Module, Error> {
         let Combination(expression) = combination;
-        expression.variables()?;
-        let combined = self.parts(expression)?;
+        expression.variables(self.microsurface)?;
+        let Leaves { scenes, weights, four } = self.leaves(expression)?;
+        let layers = self.layers(expression, scenes)?;
+        self.hides(&layers)?;
+        let color = expression.text(&literal, &number);
+        let combined = Combined { scene: self, layers, weights, color, four };
         let mut filters = Vec::new();
-        let mut glue = combined.combined();
+        let mut glue = combined.combined()?;
         glue += &combined.shares();
         if let Some(light) = &self.irradiance {
             let tier = self.irradiance_tier.unwrap_or(IrradianceTier::FourGaussians);
             let filter = irradiance(light, self.colors, tier);
-            glue += &combined.lit(tier, &filter);
+            glue += &combined.lit(tier, &filter)?;
             filters.push(filter);
         }
         if let Some(reflectance) = self.reflectance {
-            glue += &combined.radiance(reflectance);
+            glue += &combined.radiance(reflectance)?;
         }
         let exports = self.exports(&glue);
         glue += &combined.functions(filters.first());
@@ -61,48 +67,6 @@ impl Scene {
         let bound = combined.bound(expression);
         let explanation = self.explain_combined(&combined.layers, bound, cost);
         Ok(Module { name: self.name.clone(), exports, glue, linked, tables, explanation, bound, cost })
-    }
-
-    fn parts<'a>(&'a self, expression: &'a Expression) -> Result<Combined<'a>, Error> {
-        let (mut scenes, mut weights, mut channels): (Vec<&Scene>, Vec<String>, Vec<usize>) = Default::default();
-        for leaf in expression.leaves() {
-            match leaf {
-                Expression::Layer(scene) | Expression::Channel(scene, _) if scenes.contains(&&**scene) => {}
-                Expression::Layer(scene) | Expression::Channel(scene, _) => {
-                    name::check(&format!("{}_color", scene.name))?;
-                    if scenes.iter().any(|known| known.name == scene.name) {
-                        let what = format!("two different layers of `{}` are called `{}`", self.name, scene.name);
-                        return Err(Error::Conflict(what));
-                    }
-                    if matches!(leaf, Expression::Layer(_)) {
-                        channels.extend(scene.channels());
-                    }
-                    scenes.push(scene);
-                }
-                Expression::Weight(weight) if !weights.contains(weight) => weights.push(weight.clone()),
-                Expression::Color(color) => channels.push(color.channels()),
-                _ => {}
-            }
-        }
-        if scenes.is_empty() {
-            return Err(Error::Conflict(format!("the combination of `{}` has no layer", self.name)));
-        }
-        if channels.windows(2).any(|pair| pair[0] != pair[1]) {
-            let what = format!("the layers and colors of `{}` have {channels:?} channels; give all as many", self.name);
-            return Err(Error::Conflict(what));
-        }
-        let weight = |scene: &Scene| {
-            let one = |other: &Scene| [f64::from(u8::from(other.name == scene.name)), -1.0, 1.0];
-            expression.error(&one)[0]
-        };
-        let count = scenes.len();
-        let layers = scenes.into_iter().map(|scene| self.layer(scene, weight(scene), count));
-        let layers = layers.collect::<Result<Vec<_>, _>>()?;
-        if channels.is_empty() {
-            return Err(Error::Conflict(format!("the combination of `{}` has weights, and no color", self.name)));
-        }
-        let color = expression.text(&literal, &number);
-        Ok(Combined { scene: self, layers, weights, color, four: channels.first() == Some(&4) })
     }
 }
 
@@ -126,7 +90,7 @@ impl Combined<'_> {
 
     /// Whether what hides the surface has a part in the combination.
     fn hidden(&self) -> bool {
-        self.layers.iter().any(|layer| layer.own_parameters().is_empty())
+        self.layers.iter().any(Layer::hidden)
     }
 
     fn shared(&self) -> Vec<Shared> {
@@ -142,20 +106,37 @@ impl Combined<'_> {
     }
 
     /// A function: `more` are parameters behind the statistics, each with its type.
-    fn function(&self, name: &str, more: &[(&str, &str)], tables: &str, result: &str, body: &str) -> String {
+    ///
+    /// # Errors
+    /// A weight whose name the function has for something else.
+    fn function(
+        &self,
+        name: &str,
+        more: &[(&str, &str)],
+        tables: &str,
+        result: &str,
+        body: &str,
+    ) -> Result<String, Error> {
         let own: Vec<_> = self.layers.iter().flat_map(Layer::own_parameters).collect();
         let own = own.iter().map(|(name, kind)| (name.as_str(), *kind));
         let known = STATISTICS.into_iter().filter(|(name, _)| mentions(body, name));
-        let weights = self.weights.iter().map(|weight| (weight.as_str(), "f32"));
-        let mut all: Vec<_> = own.chain(known).chain(more.iter().copied()).chain(weights).collect();
+        let mut all: Vec<_> = own.chain(known).chain(more.iter().copied()).collect();
         // The noise on the heights may be a layer, too.
         let mut named = BTreeSet::new();
         all.retain(|(name, _)| named.insert(*name));
         let of_layers: String = self.layers.iter().map(|layer| parameters(&layer.tables)).collect();
-        format!("fn {}_{name}({}{of_layers}{tables}) -> {result} {{\n{body}}}\n", self.name(), listed(&all))
+        let others = format!("{} {of_layers}{tables} {}", listed(&all), body.replace(&self.color, ""));
+        for weight in &self.weights {
+            if mentions(&others, weight) || !prefilter_wgsl::mentioned(weight).is_empty() {
+                let what = format!("the weight `{weight}` of `{}` has a name that its module needs", self.name());
+                return Err(Error::Conflict(what));
+            }
+            all.push((weight, "f32"));
+        }
+        Ok(format!("fn {}_{name}({}{of_layers}{tables}) -> {result} {{\n{body}}}\n", self.name(), listed(&all)))
     }
 
-    fn combined(&self) -> String {
+    fn combined(&self) -> Result<String, Error> {
         let body = self.statements(&self.shared()) + "    return color;\n";
         let text = format!(
             "/// Mean color of `{}`: of each layer, combined, over what is seen{}.
@@ -166,7 +147,7 @@ impl Combined<'_> {
             if self.scene.microsurface.shadowing { " and lit" } else { "" },
             GIVEN
         );
-        text + &self.function("combined", &[], "", self.color_type(), &body)
+        Ok(text + &self.function("combined", &[], "", self.color_type(), &body)?)
     }
 
     /// `NAME_visibility` and `NAME_masking`.
@@ -197,7 +178,7 @@ impl Combined<'_> {
         joint(mean, &node, color, self.layers.iter().any(steep))
     }
 
-    fn lit(&self, tier: IrradianceTier, filter: &Filter) -> String {
+    fn lit(&self, tier: IrradianceTier, filter: &Filter) -> Result<String, Error> {
         let name = self.name();
         let environment: String = filter.tables.iter().map(|table| format!(", {}", table.name)).collect();
         let shared = self.with_nodes();
@@ -215,10 +196,10 @@ impl Combined<'_> {
 /// Over pi it is the radiance; what hides the environment is not in it.
 "
         );
-        text + &self.function("lit", &frame, &parameters(&filter.tables), self.color_type(), &body)
+        Ok(text + &self.function("lit", &frame, &parameters(&filter.tables), self.color_type(), &body)?)
     }
 
-    fn radiance(&self, reflectance: Reflectance) -> String {
+    fn radiance(&self, reflectance: Reflectance) -> Result<String, Error> {
         let (name, color) = (self.name(), if self.four { ".xyz" } else { "" });
         let surface = self.scene.microsurface;
         let visible = if surface.shadowing && self.hidden() { " * visibility_shadowing(seen, lit)" } else { "" };
@@ -246,7 +227,7 @@ impl Combined<'_> {
         };
         let text =
             format!("\n/// Radiance of `{name}` towards the view under one light, whose own is `radiance`: {what}\n");
-        text + &self.function("radiance", &more, "", self.color_type(), &body)
+        Ok(text + &self.function("radiance", &more, "", self.color_type(), &body)?)
     }
 
     /// The functions behind the exports.
@@ -279,9 +260,7 @@ fn {name}_environment(m: normals_means{tables}) -> vec3f {{\n{}}}\n",
                 [f64::from(layer.chosen.filter.bound.value()), layer.hull[0], layer.hull[1]]
             })
         };
-        let [error, low, high] = expression.error(&of);
-        // Each operation rounds a color once.
-        let value = (error + expression.leaves().len() as f64 * 1.2e-7 * low.abs().max(high.abs())) as f32;
+        let value = expression.error(&of)[0] as f32;
         let estimated = |layer: &Layer<'_>| matches!(layer.chosen.filter.bound, Bound::Estimated(_));
         if self.layers.iter().any(estimated) {
             Bound::Estimated(value)

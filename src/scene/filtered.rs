@@ -4,7 +4,7 @@ use super::Scene;
 use crate::driver::Driver;
 use crate::filter::height::{HeightTier, Microsurface};
 use crate::filter::slope::SlopeTier;
-use crate::transfer::color_map::ColorMap;
+use crate::transfer::color_map::{ColorMap, Colors};
 use crate::transfer::irradiance::Irradiance;
 use crate::transfer::slope_map::SlopeMap;
 use crate::Error;
@@ -93,16 +93,20 @@ impl Scene {
     /// # Errors
     /// Another filter, or a setting that belongs to its layers.
     pub(super) fn combines(&self) -> Result<(), Error> {
+        if self.driver.is_some() {
+            let what = "goes without a driver: pass it the statistics of its layers";
+            return Err(Error::Conflict(format!("the combination `{}` {what}", self.name)));
+        }
         let irradiance = self.irradiance_tier.filter(|_| self.irradiance.is_none());
         let settings = [
             self.map().map(|_| "a color map of its own".to_owned()),
             self.slope_map.as_ref().map(|_| "a map of slopes of its own".to_owned()),
-            self.driver.map(|_| "a driver".to_owned()),
             self.tier.map(|tier| format!("a color map's tier, {tier}")),
             self.height_tier.map(|tier| format!("a tier of heights, {tier}")),
             self.slope_tier.map(|tier| format!("a tier of slopes, {tier}")),
             self.slope_taps.map(|taps| format!("reads of a map of slopes, {taps}")),
             self.ranges.map(|_| "`ranges`".to_owned()),
+            (self.colors == Colors::Dynamic && self.irradiance.is_none()).then(|| "dynamic colors".to_owned()),
         ];
         if let Some(setting) = settings.into_iter().flatten().next() {
             let what = format!("the combination `{}` goes without {setting}: give it to a layer", self.name);

@@ -3,7 +3,7 @@
 use nalgebra::DMatrix;
 
 use super::{Combination, Scene};
-use crate::transfer::color_map::ColorMap;
+use crate::transfer::color_map::{ColorMap, MAX_COLOR};
 use crate::Error;
 
 /// The most products of a sum, the channels of one map.
@@ -139,6 +139,9 @@ fn nodes(what: &str, nodes: impl IntoIterator<Item = f32>) -> Result<Vec<f32>, E
     if !(2..=NODES).contains(&nodes.len()) {
         let (what, allowed) = (format!("the number of {what}"), format!("2 to {NODES}"));
         return Err(Error::Size { what, count: nodes.len(), allowed });
+    }
+    if let Some(&far) = nodes.iter().find(|node| node.abs() > MAX_COLOR) {
+        return Err(Error::value(format!("a node of the {what}"), far, "a number from -65504 to 65504"));
     }
     // Written so that NaN is refused.
     match nodes.windows(2).position(|pair| !(pair[0] < pair[1])) {

@@ -61,29 +61,35 @@ impl Scene {
         }
     }
 
-    /// A layer of this combination, whose error counts `weight` times among `count` layers.
+    /// The lowest and the highest of the channels of the scene's colors, where it has a map.
+    pub(super) fn hull(&self) -> Option<[f64; 2]> {
+        let mapped = self.map().map(|map| hull(map.hull(), map.channels()));
+        mapped.or(self.map_of_slopes().map(|map| hull(map.hull(), map.channels())))
+    }
+
+    /// A layer of this combination, which may err by `share` where it asks for no accuracy.
     ///
     /// # Errors
     /// A scene that no layer can be, or none of whose tiers is close enough.
-    pub(super) fn layer<'a>(&self, scene: &'a Scene, weight: f64, count: usize) -> Result<Layer<'a>, Error> {
-        let (color_type, hull) = match (scene.map(), scene.map_of_slopes()) {
-            (Some(map), _) => (color_type(map), hull(map.hull(), map.channels())),
-            (None, Some(map)) => (slope_map::color_type(map), hull(map.hull(), map.channels())),
-            (None, None) => {
-                let what = "is no layer of a combination, which has scenes with a color map";
-                return Err(Error::Conflict(format!("the scene `{}` {what}", scene.name)));
-            }
+    pub(super) fn layer<'a>(&self, scene: &'a Scene, share: f64) -> Result<Layer<'a>, Error> {
+        let refused = |what: &str| Err(Error::Conflict(format!("the scene `{}` {what}", scene.name)));
+        let color_type = match (scene.map(), scene.map_of_slopes()) {
+            (Some(map), _) => color_type(map),
+            (None, Some(map)) => slope_map::color_type(map),
+            (None, None) => return refused("is no layer of a combination, which has scenes with a color map"),
         };
-        if scene.driver.is_some() || scene.microsurface != Microsurface::default() {
-            let what = "has a driver or a microsurface, which a layer takes from its combination";
-            return Err(Error::Conflict(format!("the scene `{}` {what}", scene.name)));
+        if scene.combination.is_some() {
+            return refused("has a color map and a combination");
+        }
+        if scene.driver.is_some() {
+            return refused("has a driver, but statistics of layers are passed to their combination");
+        }
+        if scene.microsurface != Microsurface::default() {
+            return refused("has a microsurface, which a layer takes from its combination");
         }
         let name = format!("{}_{}", self.name, scene.name);
         // A layer of its own accuracy keeps it.
-        let share = |accuracy: Accuracy| Accuracy {
-            max_filter_error: (f64::from(accuracy.max_filter_error) / (weight.max(1e-3) * count as f64)) as f32,
-            ..accuracy
-        };
+        let share = |accuracy: Accuracy| Accuracy { max_filter_error: share as f32, ..accuracy };
         let accuracy = scene.accuracy.or(self.accuracy.map(share));
         // Heights alone know of a surface that hides.
         let microsurface = if scene.variable() == "heights" { self.microsurface } else { Microsurface::default() };
@@ -102,6 +108,7 @@ impl Scene {
             Over::Normals(_) => "irradiance",
         };
         let function = format!("{name}_{kind}");
+        let hull = scene.hull().unwrap_or_default();
         Ok(Layer { scene, chosen, tables, function, color_type, hull })
     }
 }
@@ -137,6 +144,11 @@ impl Layer<'_> {
     /// Whether the color depends on slopes.
     pub(super) fn slopes(&self) -> bool {
         !self.chosen.text.alike.is_empty()
+    }
+
+    /// Whether a rough surface hides parts of what is colored.
+    pub(super) fn hidden(&self) -> bool {
+        !self.values()
     }
 
     /// Whether the color is that of values, whose statistics are the layer's own.

@@ -3,6 +3,7 @@
 mod joint;
 mod light;
 mod scenes;
+mod settings;
 
 use std::error::Error;
 

@@ -1,0 +1,117 @@
+//! What a combination is made of: layers, each with its share of the error, and weights.
+
+use super::candidate::Over;
+use super::combination::Expression;
+use super::layer::Layer;
+use super::Scene;
+use crate::filter::height::Microsurface;
+use crate::transfer::color_map::MAX_COLOR;
+use crate::{name, Error};
+
+/// The layers and weights of an expression, each once.
+pub(super) struct Leaves<'a> {
+    /// In the order of the expression.
+    pub scenes: Vec<&'a Scene>,
+    /// The names of the weights, likewise.
+    pub weights: Vec<String>,
+    /// Whether a color has four channels.
+    pub four: bool,
+}
+
+impl Scene {
+    /// What the expression is made of.
+    ///
+    /// # Errors
+    /// Names that cannot be used, numbers that no color may be, two scenes of one name, no layer, no color, channels
+    /// that differ.
+    pub(super) fn leaves<'a>(&self, expression: &'a Expression) -> Result<Leaves<'a>, Error> {
+        let (mut scenes, mut weights, mut channels): (Vec<&Scene>, Vec<String>, Vec<usize>) = Default::default();
+        for leaf in expression.leaves() {
+            match leaf {
+                Expression::Layer(scene) | Expression::Channel(scene, _) => {
+                    name::check(&format!("{}_color", scene.name))?;
+                    if scenes.iter().any(|known| known.name == scene.name && *known != &**scene) {
+                        let what = format!("two different layers of `{}` are called `{}`", self.name, scene.name);
+                        return Err(Error::Conflict(what));
+                    }
+                    if matches!(leaf, Expression::Layer(_)) {
+                        channels.extend(scene.channels());
+                    }
+                    if !scenes.contains(&&**scene) {
+                        scenes.push(scene);
+                    }
+                }
+                Expression::Weight(weight) => {
+                    name::check(weight)?;
+                    if !weights.contains(weight) {
+                        weights.push(weight.clone());
+                    }
+                }
+                Expression::Color(color) => channels.push(color.channels()),
+                // Written so that NaN is refused.
+                Expression::Number(number) if !(number.abs() <= MAX_COLOR) => {
+                    let what = format!("a number of the combination `{}`", self.name);
+                    return Err(Error::value(what, *number, "a number from -65504 to 65504"));
+                }
+                Expression::Number(_) | Expression::Sum(..) | Expression::Product(..) => {}
+            }
+        }
+        let refused = |what: String| Err(Error::Conflict(what));
+        if scenes.is_empty() {
+            return refused(format!("the combination of `{}` has no layer", self.name));
+        }
+        if channels.is_empty() && scenes.iter().all(|scene| scene.channels().is_some()) {
+            return refused(format!("the combination of `{}` has weights, and no color", self.name));
+        }
+        if channels.windows(2).any(|pair| pair[0] != pair[1]) {
+            return refused(format!(
+                "the layers and colors of `{}` have {channels:?} channels; give all as many",
+                self.name
+            ));
+        }
+        Ok(Leaves { scenes, weights, four: channels.first() == Some(&4) })
+    }
+
+    /// The layers with their tiers. An accuracy of the combination is shared among those that ask for none.
+    ///
+    /// # Errors
+    /// As [`Self::layer`].
+    pub(super) fn layers<'a>(&self, expression: &Expression, scenes: Vec<&'a Scene>) -> Result<Vec<Layer<'a>>, Error> {
+        let asked = f64::from(self.accuracy.unwrap_or_default().max_filter_error);
+        let whole = |own: &dyn Fn(&Scene) -> f64| {
+            let of = |scene: &Scene| {
+                let [low, high] = scene.hull().unwrap_or_default();
+                [own(scene), low, high]
+            };
+            expression.error(&of)[0]
+        };
+        let count = scenes.iter().filter(|scene| scene.accuracy.is_none()).count() as f64;
+        let least = whole(&|_| 0.0);
+        // How many times a layer's own error the whole errs.
+        let weight = |scene: &Scene| whole(&|other| f64::from(u8::from(other.name == scene.name))) - least;
+        let share = |scene: &Scene, part: f64| part * asked / (count * weight(scene).max(1e-3));
+        // Errors of factors are multiplied, too, and colors are rounded.
+        let free = |scene: &Scene, part| if scene.accuracy.is_none() { share(scene, part) } else { 0.0 };
+        let mut part = 1.0;
+        while whole(&|scene| free(scene, part)) > asked && part > 0.5 {
+            part *= 0.98;
+        }
+        scenes.into_iter().map(|scene| self.layer(scene, share(scene, part))).collect()
+    }
+
+    /// Whether a surface hides what the layers color.
+    ///
+    /// # Errors
+    /// A microsurface that none of them has, noise on heights that none has.
+    pub(super) fn hides(&self, layers: &[Layer<'_>]) -> Result<(), Error> {
+        let refused = |what: &str| Err(Error::Conflict(format!("the combination `{}` has {what}", self.name)));
+        if self.microsurface != Microsurface::default() && !layers.iter().any(Layer::hidden) {
+            return refused("a `microsurface`, which hides heights and slopes, and layers of neither");
+        }
+        let heights = |layer: &Layer<'_>| matches!(layer.chosen.over, Over::Heights(_));
+        if self.microsurface.perturbed && !layers.iter().any(heights) {
+            return refused("noise on the heights, and no layer of them");
+        }
+        Ok(())
+    }
+}
