@@ -94,22 +94,23 @@ fn seen(random: &mut Random, deviation: f64, aspect: f64, most: f64) -> Visible 
 fn colors_of_steepness_stay_in_the_hull() -> Outcome {
     let device = Device::new()?;
     let mut random = Random::new(171);
-    let scene = scenes::steepnesses()?.remove(0).1;
-    let (module, (low, high)) = (scene.module()?, scene.map().ok_or("no map")?.hull());
-    let calls: Vec<f32> = (0..50_000)
-        .flat_map(|_| {
-            let mean = [0, 1].map(|_| any::number(&mut random).clamp(-f32::MAX, f32::MAX));
-            let covariance = [0, 1, 2].map(|_| any::number(&mut random));
-            let view = any::direction(&mut random).map(|part| part as f32);
-            [&mean[..], &covariance, &view].concat()
-        })
-        .collect();
-    let colors = ExportKernel::new(&device, &module, &module.exports()[0])?.run(&calls)?;
-    assert_eq!(colors.len(), 50_000);
-    for (color, call) in colors.iter().zip(calls.chunks(8)) {
-        for channel in 0..3 {
-            let hull = low[channel] - 5e-4..=high[channel] + 5e-4;
-            assert!(hull.contains(&color[channel]), "{call:?} gives {color:?}");
+    for (name, scene) in scenes::steepnesses()? {
+        let (module, (low, high)) = (scene.module()?, scene.map().ok_or("no map")?.hull());
+        let calls: Vec<f32> = (0..50_000)
+            .flat_map(|_| {
+                let mean = [0, 1].map(|_| any::number(&mut random).clamp(-f32::MAX, f32::MAX));
+                let covariance = [0, 1, 2].map(|_| any::number(&mut random));
+                let view = any::direction(&mut random).map(|part| part as f32);
+                [&mean[..], &covariance, &view].concat()
+            })
+            .collect();
+        let colors = ExportKernel::new(&device, &module, &module.exports()[0])?.run(&calls)?;
+        assert_eq!(colors.len(), 50_000);
+        for (color, call) in colors.iter().zip(calls.chunks(8)) {
+            for channel in 0..3 {
+                let hull = low[channel] - 5e-4..=high[channel] + 5e-4;
+                assert!(hull.contains(&color[channel]), "{name}: {call:?} gives {color:?}");
+            }
         }
     }
     Ok(())
@@ -254,6 +255,9 @@ fn scenes_of_steepness_refuse_what_they_would_ignore() -> Outcome {
         let module = scene()?.accuracy(Accuracy::max_filter_error(error)).module()?;
         assert!(module.explain().contains(label) && module.bound().value() <= error, "{}", module.explain());
     }
+    // Ranges are those of the mean slope's length and of the widest deviation.
+    let ranged = scene()?.ranges(Ranges { mean: (0.0, 0.5), deviation: 0.2 }).module()?;
+    assert!(ranged.explain().contains("means 0 to 0.5, deviations to 0.2"), "{}", ranged.explain());
     let asked = scene()?.accuracy(Accuracy::max_filter_error(1e-3)).module();
     assert!(matches!(asked, Err(Error::Accuracy { .. })));
     // Ranges are its own.
