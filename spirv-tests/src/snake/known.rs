@@ -1,13 +1,13 @@
 //! What filters know of a pixel: a few rays to the body with the heights that its pixels resolve, and where on the maps
 //! they are. All of it is the same for every method.
 
-use super::body::{Base, Body};
+use super::body::{Base, Body, AROUND};
 use super::camera::{Ray, View};
 use super::mesh::Mesh;
 use super::skin::SIDE;
 use crate::imaging::pixel::{fill, PIXEL_DEVIATION};
 use crate::imaging::taps::{places, ALL_TAPS};
-use crate::imaging::vector::{difference, dot, length, scaled, Vector};
+use crate::imaging::vector::{difference, dot, length, scaled, sum, Vector};
 use std::f64::consts::TAU;
 
 /// What is known of a tap.
@@ -19,8 +19,8 @@ pub struct Known {
     pub changes: [[f64; 2]; 2],
     /// How much longer along the body a texel is than around it.
     pub stretch: f64,
-    /// Changes of the base surface's slopes along the body and around it with the position.
-    pub bends: [f64; 2],
+    /// Changes of the base surface's normal likewise.
+    pub turns: [Vector; 2],
     /// A unit vector to the eye in the frame.
     pub view: Vector,
     /// The frame of the base surface.
@@ -43,38 +43,44 @@ fn known(body: &Body, mesh: &Mesh, level: usize, ray: &Ray) -> Option<Known> {
     let [row, column] = hit.place.map(|part| (part + 0.5) * size - 0.5);
     let base = body.base(row, column);
     let view = base.turned(ray.back());
+    let width = TAU * base.radius / AROUND as f64;
+    let texels = |moved: [f64; 2]| [moved[0] / (width * base.stretch), moved[1] / width];
+    let turn = |moved: [f64; 2]| body.turn([row, column], texels(moved));
+    let [x, y] = toward(view);
+    let bend = dot(turn([x, y]), sum(scaled(base.frame[0], x), scaled(base.frame[1], y)));
     let resolved = dot(hit.normal, ray.back());
-    let moved = ray.changes.map(|change| moved(&base, ray, change, hit.along, view, resolved));
-    // The map is as long as the body is around.
-    let side = TAU * base.radius;
-    let texture = |moved: [f64; 2]| [moved[0] / (side * base.stretch), moved[1] / side];
+    let moved = ray.changes.map(|change| moved(&base, ray, scaled(change, hit.along), bend, resolved));
     Some(Known {
         position: [row, column].map(|part| (part + 0.5) / SIDE as f64),
-        changes: moved.map(texture),
+        changes: moved.map(|moved| texels(moved).map(|part| part / SIDE as f64)),
         stretch: base.stretch,
-        bends: [base.curvatures[0] * side * base.stretch, base.curvatures[1] * side],
+        turns: moved.map(turn),
         view,
         frame: base.frame,
     })
 }
 
-/// How far along the base surface and around it a place moves when the ray's way changes.
+/// The direction on the surface toward the eye, which is at `view` in the frame.
+fn toward(view: Vector) -> [f64; 2] {
+    [view[0], view[1]].map(|part| part / view[0].hypot(view[1]).max(1e-9))
+}
+
+/// How far along the base surface and around it a place moves that is shifted in the picture. `bend` is how much the
+/// surface bends away from its normal toward the eye, `resolved` the cosine of the facet of the resolved heights.
 ///
 /// On a plane a pixel covers the more the flatter the ray; of a surface that bends away no more than is in front of its
 /// silhouette; of a facet of the resolved heights no more than that.
-fn moved(base: &Base, ray: &Ray, change: Vector, along: f64, view: Vector, resolved: f64) -> [f64; 2] {
+fn moved(base: &Base, ray: &Ray, shift: Vector, bend: f64, resolved: f64) -> [f64; 2] {
     let back = ray.back();
-    let shift = scaled(change, along);
+    let view = base.turned(back);
     let [x, y, z] = base.turned(difference(shift, scaled(back, dot(shift, back))));
-    let slant = view[0].hypot(view[1]);
-    let toward = [view[0], view[1]].map(|part| part / slant.max(1e-9));
-    let bend = (0..2).map(|axis| base.curvatures[axis] * toward[axis] * toward[axis]).sum::<f64>().max(0.0);
+    let toward = toward(view);
     let seen = view[2].max(0.0);
-    let least = (seen * seen + 2.0 * bend * PIXEL_DEVIATION * length(shift)).sqrt();
+    let least = (seen * seen + 2.0 * bend.max(0.0) * PIXEL_DEVIATION * length(shift)).sqrt();
     let cosine = least.max(resolved).min(1.0);
     // What is across the ray in its plane with the normal grows.
     let flat = x * toward[0] + y * toward[1];
-    let longer = (flat * view[2] - z * slant) / cosine - flat;
+    let longer = (flat * view[2] - z * view[0].hypot(view[1])) / cosine - flat;
     [x + longer * toward[0], y + longer * toward[1]]
 }
 

@@ -8,10 +8,8 @@ use super::Error;
 use crate::imaging::taps::{ALL_TAPS, TAP_DEVIATION};
 use prefilter::gpu::{Address, Device, Kernel, Texture, Work};
 use prefilter::table::{Format, Table};
-use prefilter::{
-    Accuracy, Driver, Edge, IrradianceTier, Module, MomentMipmap, Moments, Pixel, Ranges, Scene, SlopeMipmap,
-    SlopeTier, Tier,
-};
+use prefilter::Kernel::Fast;
+use prefilter::{Accuracy, Edge, IrradianceTier, Module, MomentMipmap, Ranges, Scene, SlopeMipmap, SlopeTier, Tier};
 
 /// A way to color.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -20,15 +18,17 @@ pub enum Method {
     Naive,
     /// Over all slopes, whichever are seen.
     All,
-    /// Over the slopes that are seen, by one normal distribution as in the paper.
+    /// Over the slopes that are seen, by one normal distribution as in the paper; the light on them apart.
     Single,
-    /// By two normal distributions.
+    /// By two normal distributions, the light apart.
+    Apart,
+    /// The same as one combination, color and light averaged together.
     Ours,
 }
 
 impl Method {
     /// All of them.
-    pub const ALL: [Self; 4] = [Self::Naive, Self::All, Self::Single, Self::Ours];
+    pub const ALL: [Self; 5] = [Self::Naive, Self::All, Self::Single, Self::Apart, Self::Ours];
 
     /// Those that the pictures show, besides the truth.
     pub const SHOWN: [Self; 3] = [Self::Naive, Self::All, Self::Ours];
@@ -39,6 +39,7 @@ impl Method {
             Self::Naive => "naive",
             Self::All => "view-independent",
             Self::Single => "one distribution",
+            Self::Apart => "light apart",
             Self::Ours => "ours",
         }
     }
@@ -47,31 +48,30 @@ impl Method {
         match self {
             Self::Naive => include_str!("methods/naive.wgsl"),
             Self::All => include_str!("methods/all.wgsl"),
-            Self::Single | Self::Ours => include_str!("methods/visible.wgsl"),
+            Self::Single | Self::Apart => include_str!("methods/visible.wgsl"),
+            Self::Ours => include_str!("methods/combined.wgsl"),
         }
     }
 
     /// The modules that the kernel calls.
-    fn modules(self, material: &Material) -> Result<[Module; 3], Error> {
+    fn modules(self, material: &Material) -> Result<Vec<Module>, Error> {
         let accuracy = Accuracy::default().without_tables();
-        let pixel = Pixel::Round(TAP_DEVIATION as f32);
         let skin = Scene::new("skin").texture(material.green.clone());
-        let skin = skin.driver(Driver::Moments(Moments { pixel, ..Moments::default() }));
-        let blush = Scene::new("blush").slope(material.red.clone()).ranges(SLOPES);
-        let day = Scene::new("day").irradiance(material.light);
-        let (skin, slopes, light) = match self {
-            Self::Naive => (skin.tier(Tier::Naive), SlopeTier::Unweighted, IrradianceTier::Normal),
-            _ => {
-                let tier = match self {
-                    Self::Ours => SlopeTier::Pair,
-                    Self::Single => SlopeTier::Gaussian,
-                    _ => SlopeTier::Unweighted,
-                };
-                (skin.accuracy(accuracy), tier, IrradianceTier::FourGaussians)
-            }
+        let (values, slopes, light) = match self {
+            Self::Naive => (Tier::Naive, SlopeTier::Unweighted, IrradianceTier::Normal),
+            Self::All => (Tier::ClosedForm(Fast), SlopeTier::Unweighted, IrradianceTier::FourGaussians),
+            Self::Single => (Tier::ClosedForm(Fast), SlopeTier::Gaussian, IrradianceTier::FourGaussians),
+            Self::Apart | Self::Ours => (Tier::ClosedForm(Fast), SlopeTier::Pair, IrradianceTier::FourGaussians),
         };
-        let blush = blush.slope_tier(slopes).accuracy(accuracy);
-        Ok([skin.module()?, blush.module()?, day.irradiance_tier(light).module()?])
+        let layer = |scene: Scene| scene.slope_tier(slopes).ranges(SLOPES).accuracy(accuracy);
+        let skin = skin.tier(values);
+        let lit = |scene: Scene| scene.irradiance(material.light).irradiance_tier(light);
+        let day = lit(Scene::new("day"));
+        let scenes = match self {
+            Self::Ours => vec![lit(Scene::new("snake").combination(material.layers(&skin, layer)?)), day],
+            _ => vec![skin, layer(Scene::new("blush").slope(material.red.clone())), day],
+        };
+        scenes.iter().map(|scene| Ok(scene.module()?)).collect()
     }
 }
 
@@ -114,7 +114,7 @@ impl Renderer {
         let modules = method.modules(material)?;
         let host =
             format!("const tap_deviation = {TAP_DEVIATION:?};\n{}\n{}", include_str!("shade.wgsl"), method.text());
-        let shader = prefilter::link(&modules.each_ref(), &host)?;
+        let shader = prefilter::link(&modules.iter().collect::<Vec<_>>(), &host)?;
         Ok(Self { kernel: Kernel::new(device, shader.wgsl(), "main")? })
     }
 
@@ -130,9 +130,9 @@ impl Renderer {
         let work = Work { inputs: &[&numbers], textures: &textures, invocations, output: 8 * invocations };
         let colors = self.kernel.run(&work)?;
         let mut shown = colors.chunks_exact(8).map(|numbers| {
-            let color: [f64; 3] = std::array::from_fn(|channel| f64::from(numbers[channel]));
-            let light: [f64; 3] = std::array::from_fn(|channel| f64::from(numbers[4 + channel]) / std::f64::consts::PI);
-            Look { color, lit: std::array::from_fn(|channel| color[channel] * light[channel]), share: 1.0 }
+            let color = std::array::from_fn(|channel| f64::from(numbers[channel]));
+            let lit = std::array::from_fn(|channel| f64::from(numbers[4 + channel]) / std::f64::consts::PI);
+            Look { color, lit, share: 1.0 }
         });
         let missed = Look { color: [0.0; 3], lit: [0.0; 3], share: 0.0 };
         let looks = known.iter().map(|taps| {
@@ -145,8 +145,7 @@ impl Renderer {
 
 /// What a kernel reads of a tap.
 fn numbers(known: &Known) -> Vec<f64> {
-    let Known { position, changes: [right, down], stretch, bends, view, frame } = known;
-    let [x, y, z] = frame;
-    let parts: [&[f64]; 10] = [position, right, down, &[*stretch], bends, view, x, y, z, &DIRECTION];
+    let Known { position, changes: [right, down], stretch, turns: [dndx, dndy], view, frame: [x, y, z] } = known;
+    let parts: [&[f64]; 11] = [position, right, down, &[*stretch], dndx, dndy, view, x, y, z, &DIRECTION];
     parts.concat()
 }

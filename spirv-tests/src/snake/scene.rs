@@ -1,10 +1,14 @@
 //! What is looked at: the material, the light, the views.
 
 use super::camera::View;
-use prefilter::{ColorMap, Error, Irradiance};
+use prefilter::{ColorMap, Combination, Error, Irradiance, Scene};
 
 /// Along which the slopes are looked at that turn red, in the frame of the surface: to the head and to one side.
 pub const DIRECTION: [f64; 2] = [0.8, 0.6];
+
+/// Reds by the slope, with premultiplied alpha.
+const REDS: [(f32, [f32; 4]); 3] =
+    [(0.06, [0.0, 0.0, 0.0, 0.0]), (0.18, [0.62, 0.05, 0.015, 0.92]), (0.60, [0.85, 0.16, 0.020, 1.0])];
 
 /// How the skin is colored and lit.
 #[derive(Clone, Debug)]
@@ -31,12 +35,22 @@ impl Material {
             (0.64, [0.560, 0.660, 0.120]),
             (0.95, [0.780, 0.800, 0.300]),
         ])?;
-        let red = ColorMap::gradient([
-            (0.06, [0.0, 0.0, 0.0, 0.0]),
-            (0.18, [0.62, 0.05, 0.015, 0.92]),
-            (0.60, [0.85, 0.16, 0.020, 1.0]),
-        ])?;
+        let red = ColorMap::gradient(REDS)?;
         Ok(Self { green, red, light: light()? })
+    }
+
+    /// The material as a combination of layers: greens where a scale is bare, and reds.
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    pub fn layers(&self, skin: &Scene, slopes: impl Fn(Scene) -> Scene) -> Result<Combination, Error> {
+        let layer = |name, of: &dyn Fn([f32; 4]) -> [f32; 3]| {
+            let map = ColorMap::gradient(REDS.map(|(slope, color)| (slope, of(color))))?;
+            Ok::<Scene, Error>(slopes(Scene::new(name).slope(map)))
+        };
+        let bare = layer("bare", &|[.., alpha]| [1.0 - alpha; 3])?;
+        let red = layer("red", &|[red, green, blue, _]| [red, green, blue])?;
+        Ok(skin * &bare + &red)
     }
 }
 
