@@ -157,6 +157,37 @@ fn the_readme_quotes_the_mountains() -> Outcome {
 }
 
 #[test]
+fn the_readme_quotes_the_snake() -> Outcome {
+    let table = rows(include_str!("../../docs/snake.csv"));
+    let figure = |view: &str, method: &str, quantity: &str, column: &str| -> Result<f64, String> {
+        let wanted = [("view", view), ("method", method), ("quantity", quantity)];
+        let row = table.iter().find(|row| wanted.iter().all(|(column, value)| row[column] == *value));
+        let row = row.ok_or_else(|| format!("snake.csv has no row {wanted:?}"))?;
+        row[column].parse().map_err(|error| format!("{column} of {wanted:?}: {error}"))
+    };
+    let three = |view| -> Result<String, String> {
+        let [naive, all, ours] =
+            ["naive", "view-independent", "ours"].map(|method| figure(view, method, "color", "rms"));
+        Ok(format!("{:.3}, {:.3} and {:.3}", naive?, all?, ours?))
+    };
+    let text = README.split_whitespace().collect::<Vec<_>>().join(" ");
+    for quoted in [
+        format!("errs, RMS, by {} at the mean", three("far")?),
+        format!("{} where pixels are a quarter", three("whole")?),
+        format!("{} near", three("near")?),
+        format!("takes {:.0} samples a pixel", figure("far", "ours", "color", "samples")?),
+        format!(
+            "by {:.4} averaged together and by {:.4} apart",
+            figure("far", "ours", "lit", "rms")?,
+            figure("far", "light apart", "lit", "rms")?
+        ),
+    ] {
+        assert!(text.contains(&quoted), "the README lacks: {quoted}");
+    }
+    Ok(())
+}
+
+#[test]
 fn modules_quote_the_gap_of_visibility() -> Outcome {
     let sight = rows(include_str!("../../docs/visibility_gap.csv"));
     let light = rows(include_str!("../../docs/shadowing_gap.csv"));

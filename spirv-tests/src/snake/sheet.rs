@@ -23,7 +23,7 @@ pub fn sheet(judged: &Judged) -> Canvas {
     let size = |view: &View| [view.width, view.height].map(|side| side * view.enlarged);
     let [width, height] = judged.rows.first().map_or([0, 0], |row| size(&row.view));
     let columns = Method::SHOWN.len() + 1;
-    let block = 2 * (height + LINE) + GAP;
+    let block = 2 * (height + GAP) + LINE;
     let area = [2 * MARGIN + columns * (width + GAP) - GAP, 2 * MARGIN + LINE + judged.rows.len() * block - GAP];
     let mut canvas = Canvas::new(area[0], area[1], PAPER);
     let left = |column: usize| MARGIN + column * (width + GAP);
