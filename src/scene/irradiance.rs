@@ -14,8 +14,8 @@ impl Scene {
     ///
     /// Exports `NAME_irradiance(mean_slope, slope_covariance, view, x, y, z, …)`, the mean irradiance over the normals
     /// that are seen, x, y and z being the axes of the tangent frame in the environment's space, and
-    /// `NAME_lambert(mean_slope, slope_covariance, view, light)`, the mean of max(n · l, 0). With [`Colors::Dynamic`]
-    /// the environment is a texture of nine texels.
+    /// `NAME_lambert(mean_slope, slope_covariance, view, light)`, the mean of max(n · l, 0). With
+    /// [`Colors::Dynamic`](crate::Colors::Dynamic) the environment is a texture of nine texels.
     ///
     /// Bounds are for views from 5 degrees above the mean plane, mean slopes up to 0.36 and slope deviations up to 1
     /// (of [`IrradianceTier::Points`] 0.3) with correlations up to 0.9; that of Lambert's cosine is 0.03 besides.

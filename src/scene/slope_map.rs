@@ -26,13 +26,13 @@ impl Scene {
     ///
     /// Exports `NAME_slope_map(mean_slope, slope_covariance, view, table, table_sampler)`: reads from a volume of
     /// 128 × 128 × 20 texels, 2.5 MiB. [`SlopeTier`] says what stands for the visible slopes and [`Self::slope_taps`]
-    /// how many reads for each normal distribution of those. The colors are in the table, whichever
-    /// [`Colors`](crate::Colors).
+    /// how many reads for each normal distribution of those. The colors are, whichever
+    /// [`Colors`](crate::Colors), in the table, which takes some tenths of a second to bake.
     ///
     /// The ranges are those of each component of the mean slope and of the deviation along the widest axis of the
     /// covariance; by default means to 1 either way and deviations to 0.5. Bounds are estimates, for views above the
-    /// horizon of the mean surface, for axes of ratios up to 2 and for maps with one edge at a time: steps, discs and
-    /// sectors were measured.
+    /// horizon of the mean surface, for deviations from 0.24 of the largest, for axes of ratios up to 2 and for maps
+    /// with one edge at a time: steps, discs and sectors were measured.
     ///
     /// ```
     /// use prefilter::{Scene, SlopeDomain, SlopeMap};
@@ -49,7 +49,8 @@ impl Scene {
         Self { slope_map: Some(map), ..self }
     }
 
-    /// So many reads for each normal distribution of slopes instead of the cheapest that keep the accuracy.
+    /// So many reads for each normal distribution of slopes instead of the cheapest that keep the accuracy;
+    /// [`SlopeTier::Naive`] has none.
     #[must_use]
     pub fn slope_taps(self, taps: SlopeTaps) -> Self {
         Self { slope_taps: Some(taps), ..self }
