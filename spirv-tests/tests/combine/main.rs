@@ -1,7 +1,9 @@
 //! Combinations of layers on the device: sums and products of what each layer is, with light and without.
 
+mod bounds;
 mod joint;
 mod light;
+mod limits;
 mod scenes;
 mod settings;
 
