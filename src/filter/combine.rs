@@ -31,19 +31,23 @@ pub enum Reflectance {
 pub(crate) const INVERSE_PI: &str = "0.31830989";
 
 /// What `NAME_combined` says of its parameters.
-pub(crate) const GIVEN: &str = "\
-/// A layer of values takes their mean and deviation by its name; all layers of heights have one `mean` and `deviation`.
-/// Slopes have a mean and a covariance, xx, xy, yy, in the tangent frame, and directions are unit vectors away from the
-/// surface in that.
+pub(crate) const GIVEN_VALUES: &str = "/// A layer of values takes their mean and deviation by its name.\n";
+pub(crate) const GIVEN_HEIGHTS: &str = "/// All layers of heights have one `mean` and `deviation`.\n";
+pub(crate) const GIVEN_SLOPES: &str = "\
+/// Slopes have a mean and a covariance, xx, xy, yy, in the tangent frame; `view` and `light` are unit vectors away from
+/// the surface in that.
+";
+pub(crate) const GIVEN_DIRECTION: &str = "\
+/// `direction` is a horizontal vector of length 1 at most, along which slopes have a component.
 ";
 
-/// What ρ̄ is in `NAME_radiance`.
+/// What the factors of `NAME_radiance` are besides the light's.
 pub(crate) const GIVEN_REFLECTANCE: &str = "\
-its visibility,
-/// the color, and `reflectance`, the mean over what is seen of a BRDF times the light's cosine.";
+/// the color and `reflectance`, the mean over what is seen of a BRDF times the light's cosine.
+";
 pub(crate) const LAMBERT: &str = "\
-its visibility
-/// times the color and Lambert's cosine over pi, which are averaged together where both depend on the slopes.";
+/// the color and Lambert's cosine over pi, which are averaged together where both depend on the slopes.
+";
 
 /// Statements that name `joint`, the mean of `color` times light: of `light` and, over the nodes of the visible slopes,
 /// of the colors and the light that `node` names `c` and `l` for `node_slope` and `node_covariance`. `channels` are

@@ -9,7 +9,8 @@ use super::layer::{listed, literal, mentions, once, shared, Layer, STATISTICS};
 use super::leaves::Leaves;
 use super::Scene;
 use crate::accuracy::Bound;
-use crate::filter::combine::{joint, Reflectance, GIVEN, GIVEN_REFLECTANCE, INVERSE_PI, LAMBERT};
+use crate::filter::combine::{joint, Reflectance, GIVEN_DIRECTION, GIVEN_HEIGHTS, GIVEN_SLOPES, GIVEN_VALUES};
+use crate::filter::combine::{GIVEN_REFLECTANCE, INVERSE_PI, LAMBERT};
 use crate::filter::height::glue::shares;
 use crate::filter::height::{surface, HeightTier};
 use crate::filter::irradiance::{irradiance, IrradianceTier};
@@ -138,16 +139,26 @@ impl Combined<'_> {
 
     fn combined(&self) -> Result<String, Error> {
         let body = self.statements(&self.shared()) + "    return color;\n";
-        let text = format!(
-            "/// Mean color of `{}`: of each layer, combined, over what is seen{}.
-/// What share of it is seen or lit is not in it.
-///
-{}",
-            self.name(),
-            if self.scene.microsurface.shadowing { " and lit" } else { "" },
-            GIVEN
-        );
+        let heights = |layer: &Layer<'_>| matches!(layer.chosen.over, Over::Heights(_));
+        let over = match (self.hidden(), self.scene.microsurface.shadowing && self.layers.iter().any(heights)) {
+            (false, _) => ".",
+            (true, false) => ", over what is seen.\n/// What share of it is seen or lit is not in it.",
+            (true, true) => ", over what is seen and lit.\n/// What share of it is seen or lit is not in it.",
+        };
+        let text =
+            format!("/// Mean color of `{}`: of each layer, combined{over}\n///\n{}", self.name(), self.given(&body));
         Ok(text + &self.function("combined", &[], "", self.color_type(), &body)?)
+    }
+
+    /// What is said of the statistics that a body mentions.
+    fn given(&self, body: &str) -> String {
+        let said = [
+            (self.layers.iter().any(|layer| !layer.hidden()), GIVEN_VALUES),
+            (mentions(body, "mean"), GIVEN_HEIGHTS),
+            (self.hidden(), GIVEN_SLOPES),
+            (mentions(body, "direction"), GIVEN_DIRECTION),
+        ];
+        said.into_iter().filter_map(|(needed, text)| needed.then_some(text)).collect()
     }
 
     /// `NAME_visibility` and `NAME_masking`.
@@ -225,8 +236,11 @@ impl Combined<'_> {
         } else {
             format!("    return {result};\n")
         };
-        let text =
-            format!("\n/// Radiance of `{name}` towards the view under one light, whose own is `radiance`: {what}\n");
+        let shares = if visible.is_empty() { "" } else { " its visibility," };
+        let text = format!(
+            "\n/// Radiance of `{name}` towards the view under one light: the light's own, `radiance`, \
+             times{shares}\n{what}"
+        );
         Ok(text + &self.function("radiance", &more, "", self.color_type(), &body)?)
     }
 

@@ -155,3 +155,22 @@ fn an_accuracy_is_kept_whatever_the_colors() -> Outcome {
     assert!(module.bound().value() < 0.05 + 1e-5, "{}", module.explain());
     Ok(())
 }
+
+/// Values are neither seen nor lit, slopes only seen.
+#[test]
+fn documentation_speaks_of_what_a_module_has() -> Outcome {
+    let (grain, sand, high) =
+        (Scene::new("grain").texture(map()?), Scene::new("sand").slope(map()?), Scene::new("high").height(map()?));
+    let said = |combination: Combination| {
+        let module = Scene::new("hills").combination(combination).reflectance(Reflectance::Given).module()?;
+        let of =
+            |name: &str| module.exports().iter().find(|export| export.name == name).map(|e| e.documentation.clone());
+        Ok::<_, Error>([of("hills_combined").unwrap_or_default(), of("hills_radiance").unwrap_or_default()])
+    };
+    let [values, slopes, heights] = [said(grain.into())?, said(sand.into())?, said(high.into())?];
+    assert!(["seen", "lit", "heights", "Slopes"].iter().all(|word| !values[0].contains(word)), "{}", values[0]);
+    assert!(slopes[0].contains("seen.") && !slopes[0].contains("seen and lit."), "{}", slopes[0]);
+    assert!(heights[0].contains("seen and lit.") && heights[0].contains("`deviation`"), "{}", heights[0]);
+    assert_eq!([&values, &slopes].map(|said| said[1].contains("visibility")), [false, true]);
+    Ok(())
+}
