@@ -16,26 +16,15 @@ use crate::transfer::color_map::ColorMap;
 
 impl Scene {
     pub(super) fn explain(&self, chosen: &Candidate, passed: &[Candidate]) -> String {
-        let Ranges { mean: (low, high), deviation } = self.chosen_ranges();
         let what = what(chosen);
         let mut text = format!("{}: {what} by {}\n", self.name, chosen.label);
         let _ = writeln!(text, "  error   {}", described(chosen));
-        let covered = match (chosen.over, self.map()) {
-            (Over::Heights(tier), Some(map)) => Some(self.covered(tier, map)),
-            (Over::Slopes(tier), Some(map)) => Some(self.covered_slopes(tier, map)),
-            (Over::Steepness(tier), Some(map)) => Some(self.covered_steepness(tier, map)),
-            (Over::SlopeMap(tier, taps), _) => {
-                self.slope_map.as_ref().map(|map| self.covered_slope_map(tier, taps, map))
-            }
-            (Over::Normals(tier), _) => Some(irradiance::covered(tier)),
-            (Over::Values | Over::Heights(_) | Over::Slopes(_) | Over::Steepness(_), _) => None,
-        };
-        if let Some(covered) = covered {
+        if let Some(covered) = self.covers(chosen) {
             let _ = writeln!(text, "  covers  {covered}");
         }
         let _ = writeln!(text, "  cost    {} a call", chosen.cost);
-        if self.percentile.is_none() && self.irradiance.is_none() {
-            let _ = writeln!(text, "  ranges  means {low} to {high}, deviations to {deviation}");
+        if let Some(ranges) = self.reaches() {
+            let _ = writeln!(text, "  ranges  {ranges}");
         }
         let _ = writeln!(text, "  chosen  {}", self.reason(chosen));
         for other in passed {
@@ -53,6 +42,27 @@ impl Scene {
         text
     }
 
+    /// What the bound of a tier holds for besides its ranges.
+    fn covers(&self, chosen: &Candidate) -> Option<String> {
+        match (chosen.over, self.map()) {
+            (Over::Heights(tier), Some(map)) => Some(self.covered(tier, map)),
+            (Over::Slopes(tier), Some(map)) => Some(self.covered_slopes(tier, map)),
+            (Over::Steepness(tier), Some(map)) => Some(self.covered_steepness(tier, map)),
+            (Over::SlopeMap(tier, taps), _) => {
+                self.slope_map.as_ref().map(|map| self.covered_slope_map(tier, taps, map))
+            }
+            (Over::Normals(tier), _) => Some(irradiance::covered(tier)),
+            (Over::Values | Over::Heights(_) | Over::Slopes(_) | Over::Steepness(_), _) => None,
+        }
+    }
+
+    /// The ranges, where the scene has some.
+    fn reaches(&self) -> Option<String> {
+        let Ranges { mean: (low, high), deviation } = self.chosen_ranges();
+        let ranged = self.percentile.is_none() && self.irradiance.is_none();
+        ranged.then(|| format!("means {low} to {high}, deviations to {deviation}"))
+    }
+
     /// What a combination says of its layers and of itself.
     pub(super) fn explain_combined(&self, layers: &[Layer<'_>], bound: Bound, cost: Cost) -> String {
         let mut text =
@@ -61,6 +71,14 @@ impl Scene {
         for Layer { scene, chosen, .. } in layers {
             let (name, what) = (&scene.name, what(chosen));
             let _ = writeln!(text, "  layer   {name}: {what} by {}: error {}", chosen.label, described(chosen));
+            // As the layer was chosen: over what hides the whole.
+            let layer = Scene { microsurface: self.microsurface, ..(*scene).clone() };
+            if let Some(covered) = layer.covers(chosen) {
+                let _ = writeln!(text, "    covers  {covered}");
+            }
+            if let Some(ranges) = layer.reaches() {
+                let _ = writeln!(text, "    ranges  {ranges}");
+            }
         }
         let lit = self.irradiance.is_some() || self.reflectance == Some(Reflectance::Lambert);
         if lit && layers.iter().any(Layer::slopes) {

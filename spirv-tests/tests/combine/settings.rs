@@ -174,3 +174,21 @@ fn documentation_speaks_of_what_a_module_has() -> Outcome {
     assert_eq!([&values, &slopes].map(|said| said[1].contains("visibility")), [false, true]);
     Ok(())
 }
+
+/// A bound holds for what it says, that of each layer.
+#[test]
+fn explanations_say_what_the_bounds_of_layers_hold_for() -> Outcome {
+    let (grain, high) = (Scene::new("grain").texture(map()?), Scene::new("high").height(map()?));
+    let steep = Scene::new("rock").steepness(map()?);
+    let tilted = Microsurface { mean_slope: true, ..Microsurface::default() };
+    let scene = Scene::new("hills").combination(&grain * &high + &steep).microsurface(tilted);
+    let text = scene.module()?.explain().to_owned();
+    for alone in [grain.module()?, high.microsurface(tilted).module()?, steep.module()?] {
+        let said = alone.explain().lines().filter(|line| line.starts_with("  covers") || line.starts_with("  ranges"));
+        for line in said {
+            assert!(text.contains(line), "{line} is not in\n{text}");
+        }
+    }
+    assert_eq!(["covers", "ranges"].map(|word| text.matches(word).count()), [2, 3]);
+    Ok(())
+}
