@@ -214,7 +214,11 @@ pub fn driven_slopes() -> Result<Vec<(&'static str, Scene)>> {
     let hill = Scene::new("hill").irradiance(sky).colors(Colors::Dynamic);
     let snow = SlopeMap::from_function(16, SlopeDomain::Within(0.5), |[x, y]| [0.5 + x, 0.5 - y, 0.25])?;
     let snow = Scene::new("snow").slope_map(snow).slope_tier(SlopeTier::Gaussian).slope_taps(SlopeTaps::One);
+    let sloped = Driver::Moments(Moments { taps: Taps::Two, slopes: true, ..Moments::default() });
+    let tilted = Microsurface { mean_slope: true, ..Microsurface::default() };
+    let heights = Scene::new("terrain").height(named("terrain")?).microsurface(tilted).tier(FAST);
     Ok(vec![
+        ("height_driven_with_slopes", heights.height_tier(HeightTier::Gaussian).driver(sloped)),
         ("slope_driven", dune(SlopeTier::Gaussian).driver(driven(Taps::One))),
         ("slope_driven_by_eight_taps", dune(SlopeTier::Pair).driver(driven(Taps::Eight))),
         ("slope_driven_unweighted", dune(SlopeTier::Unweighted).driver(driven(Taps::Two))),
@@ -265,7 +269,7 @@ fn dynamic_colors() -> Result<Vec<(&'static str, Scene)>> {
 
 fn driven() -> Result<Vec<(&'static str, Scene)>> {
     let moments = |taps| Driver::Moments(Moments { taps, ..Moments::default() });
-    let oblong = Moments { taps: Taps::Two, pixel: Pixel::Covariance([0.25, 0.05, 0.1]) };
+    let oblong = Moments { taps: Taps::Two, pixel: Pixel::Covariance([0.25, 0.05, 0.1]), slopes: false };
     let terrain = || Ok::<_, Box<dyn std::error::Error + Send + Sync>>(Scene::new("relief").texture(named("terrain")?));
     Ok(vec![
         ("driven", terrain()?.driver(moments(Taps::One))),

@@ -100,7 +100,7 @@ fn scenes_return() -> Result<(), Box<dyn StdError + Send + Sync>> {
         &inputs,
         |(stops, (tier, colors), pixel, error, mean, deviation, height, surface)| {
             let accuracy = Accuracy::max_filter_error(error).without_tables();
-            let driver = Driver::Moments(Moments { taps: Taps::Two, pixel });
+            let driver = Driver::Moments(Moments { taps: Taps::Two, pixel, slopes: false });
             let ranges = Ranges { mean, deviation };
             let Ok(map) = ColorMap::gradient(sorted(&stops)) else { return Ok(()) };
             let high =

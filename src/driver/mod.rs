@@ -39,6 +39,9 @@ impl Driver {
     /// The statistics that it gives a filter, with its name.
     pub(crate) fn gives(&self) -> &'static str {
         match self {
+            Self::Moments(Moments { slopes: true, .. }) => {
+                "mean and deviation of a height and its slopes, `Driver::Moments` with `slopes`"
+            }
             Self::Moments(_) => "mean and deviation of a value, `Driver::Moments`",
             Self::SlopeMoments(_) => "mean and covariance of slopes, `Driver::SlopeMoments`",
         }

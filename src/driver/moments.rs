@@ -30,7 +30,18 @@ pub struct Moments {
     pub taps: Taps,
     /// The filter that turns samples into a pixel.
     pub pixel: Pixel,
+    /// Whether heights find the covariance of their slopes, and the mean slope where the surface has one, in the
+    /// image's [`SlopeMipmap`](crate::SlopeMipmap) over the pixel's footprint: both pyramids are then of one image.
+    /// Default: no, they are passed.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub slopes: bool,
 }
+
+/// What the slopes' pyramid gives in place of the caller: parameters of a scene of heights, and what they are of it.
+const OF_SLOPES: [(&str, &str); 2] = [
+    ("mean_slope: vec2f", "let mean_slope = slope.mean;"),
+    ("slope_covariance: vec3f", "let slope_covariance = slope.covariance;"),
+];
 
 /// What a bound does not cover: footprints hold other distributions than the taps' normal ones.
 ///
@@ -50,9 +61,21 @@ pub(crate) fn gap(taps: Taps) -> String {
 
 /// The WGSL of `NAME_color`, which drives a filter by the moments of an image.
 pub(crate) fn glue(called: &Called<'_>, moments: &Moments) -> String {
-    let Called { name, color_type, given, parameters, .. } = *called;
+    let Called { name, color_type, parameters, .. } = *called;
+    let (mut given, mut before) = (called.given.to_owned(), String::new());
+    let (mut tables, mut said) = (String::new(), "");
+    if moments.slopes {
+        before += "    let slope = slope_moments_read(slopes, slopes_cross, slopes_sampler, position, footprint);\n";
+        for (parameter, statement) in OF_SLOPES.into_iter().filter(|(parameter, _)| called.given.contains(parameter)) {
+            given = given.replace(&format!(", {parameter}"), "");
+            before += &format!("    {statement}\n");
+        }
+        tables += ", slopes: texture_2d<f32>, slopes_cross: texture_2d<f32>, slopes_sampler: sampler";
+        said = SLOPES;
+    }
     let reader = Reader {
         image: "moments",
+        before: &before,
         read: "moments_read(moments, moments_sampler",
         statistics: "m.x, m.y",
         weight: None,
@@ -62,13 +85,19 @@ pub(crate) fn glue(called: &Called<'_>, moments: &Moments) -> String {
         "/// Mean color of `{name}` over a pixel's footprint on an image, by {points}.
 ///
 /// `position` is in texture coordinates, `dpdx` and `dpdy` are its screen derivatives; `moments` is the image's
-/// pyramid of mean and deviation, read at texel centers: its sampler may be of any kind.
+/// pyramid of mean and deviation, read at texel centers: its sampler may be of any kind.{said}
 fn {name}_color(position: vec2f, dpdx: vec2f, dpdy: vec2f{given}, moments: texture_2d<f32>, moments_sampler: \
-         sampler{parameters}) -> {color_type} {{
+         sampler{tables}{parameters}) -> {color_type} {{
 {body}}}
 "
     )
 }
+
+/// What `NAME_color` says of slopes.
+const SLOPES: &str = "
+///
+/// `slopes` and `slopes_cross` are the pyramid of mean slope and covariance of the same image, which gives the slopes
+/// of the whole footprint.";
 
 #[cfg(test)]
 mod tests {
@@ -89,7 +118,7 @@ mod tests {
                     parameters: ", knots: texture_2d<f32>",
                     arguments: ", knots",
                 };
-                let glue = glue(&called, &Moments { taps, pixel });
+                let glue = glue(&called, &Moments { taps, pixel, slopes: false });
                 let text = prefilter_wgsl::link(&format!("{texture}{glue}")).unwrap();
                 let module =
                     naga::front::wgsl::parse_str(&text).unwrap_or_else(|e| panic!("{}", e.emit_to_string(&text)));

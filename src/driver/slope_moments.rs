@@ -58,6 +58,7 @@ pub(crate) fn glue(called: &Called<'_>, moments: &SlopeMoments) -> String {
     let Called { name, function, color_type, given, parameters, .. } = *called;
     let reader = Reader {
         image: "slopes",
+        before: "",
         read: "slope_moments_read(slopes, slopes_cross, slopes_sampler",
         statistics: "m.mean, m.covariance",
         weight: given.contains(" view: ").then_some(AREA),

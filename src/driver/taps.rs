@@ -86,6 +86,8 @@ impl Pixel {
 pub(super) struct Reader<'a> {
     /// The image, whose size scales derivatives.
     pub image: &'a str,
+    /// Statements behind the one that names the footprint.
+    pub before: &'a str,
     /// The call that reads the statistics `m`, up to the position.
     pub read: &'a str,
     /// The filter's first arguments from them.
@@ -97,7 +99,7 @@ pub(super) struct Reader<'a> {
 impl Reader<'_> {
     /// The body of `NAME_color`, and its number of taps in words.
     pub fn body(&self, called: &Called<'_>, taps: Taps, pixel: Pixel) -> (String, String) {
-        let (image, count) = (self.image, taps.count());
+        let (image, before, count) = (self.image, self.before, taps.count());
         let footprint = match pixel {
             Pixel::Round(deviation) => {
                 format!("footprint_covariance_round(dpdx * size, dpdy * size, {deviation:?})")
@@ -124,7 +126,7 @@ impl Reader<'_> {
             format!(
                 "    let size = vec2f(textureDimensions({image}, 0));
     let footprint = {footprint};
-{body}"
+{before}{body}"
             ),
         )
     }

@@ -1,6 +1,7 @@
 //! What a scene filters, and which settings go with that.
 
 use super::Scene;
+use crate::driver::moments::Moments;
 use crate::driver::Driver;
 use crate::filter::height::{HeightTier, Microsurface};
 use crate::filter::slope::SlopeTier;
@@ -46,6 +47,7 @@ impl Filtered<'_> {
     /// Whether a driver gives the statistics that are needed.
     fn driven_by(self, driver: Driver) -> bool {
         match driver {
+            Driver::Moments(Moments { slopes: true, .. }) => matches!(self, Self::Height(_)),
             Driver::Moments(_) => matches!(self, Self::Texture(_) | Self::Height(_)),
             Driver::SlopeMoments(_) => {
                 matches!(self, Self::Slope(_) | Self::SlopeMap(_) | Self::Steepness(_) | Self::Irradiance(_))
