@@ -58,13 +58,14 @@ pub(crate) fn joint(light: &str, node: &str, channels: &str, over_nodes: bool) -
         "    let color_over_all = color{channels};
     let light_over_all = {light};
     let node_covariance = combine_covariance(factor, moments);
+    let skewness = slopes_skewness(parameter);
     var moved = vec3f();
     var turned = vec3f();
     var both = vec3f();
     var low = color_over_all;
     var high = color_over_all;
     for (var at = 0; at < combine_nodes; at++) {{
-        let node = combine_node(f32(at));
+        let node = combine_node(f32(at), skewness);
         let node_slope = combine_slope(node, mean_slope, factor, moments);
 {node}        let color_apart = c - color_over_all;
         let light_apart = l - light_over_all;

@@ -60,29 +60,45 @@ pub fn mean<const N: usize>(
 
 /// A node of the visible slopes: its place along both axes of their factor in deviations, and its weight.
 ///
-/// Five nodes, one in the middle, two on the first axis and two on the second, have the weights 0.52 and 0.12. Those of
-/// an axis stand where all five together have the unit variance along it, each being 0.7 deviations wide.
-pub fn node(number: usize) -> [f64; 3] {
+/// Five nodes, one in the middle, two on the first axis and two on the second, have the weights 0.52 and 0.12, each
+/// being 0.7 deviations wide. Their places have the mean 0, together with their widths the unit variance, and along the
+/// first axis the third moment of 0.75 of a skewness.
+pub fn node(number: usize, skewness: f64) -> [f64; 3] {
     const WEIGHT: f64 = 0.12;
-    const WIDTH: f64 = 0.7;
-    if number == 0 {
-        return [0.0, 0.0, 1.0 - 4.0 * WEIGHT];
+    const REST: f64 = 1.0 - 2.0 * WEIGHT;
+    const VARIANCE: f64 = 1.0 - 0.7 * 0.7;
+    // The outer two of an axis, as far from the others as the variance asks for.
+    let places = |middle: f64| {
+        let others = -2.0 * WEIGHT * middle / REST;
+        let apart = bisected(0.0, 4.0, |apart| {
+            let squares = (middle - apart).powi(2) + (middle + apart).powi(2);
+            WEIGHT * squares + REST * others * others - VARIANCE
+        });
+        [middle - apart, middle + apart, others]
+    };
+    let middle = bisected(0.0, 0.8, |middle| {
+        let [low, high, others] = places(middle);
+        WEIGHT * (low.powi(3) + high.powi(3)) + REST * others.powi(3) - 0.75 * skewness
+    });
+    let ([low, high, others], [below, above, _]) = (places(middle), places(0.0));
+    match number {
+        0 => [others, 0.0, 1.0 - 4.0 * WEIGHT],
+        1 => [low, 0.0, WEIGHT],
+        2 => [high, 0.0, WEIGHT],
+        3 => [others, below, WEIGHT],
+        _ => [others, above, WEIGHT],
     }
-    // By bisection.
-    let variance = |place: f64| WIDTH * WIDTH + 2.0 * WEIGHT * place * place;
-    let (mut low, mut high) = (0.0, 4.0);
+}
+
+/// Where a rising function is 0.
+fn bisected(mut low: f64, mut high: f64, function: impl Fn(f64) -> f64) -> f64 {
     for _ in 0..60 {
         let middle = 0.5 * (low + high);
-        if variance(middle) < 1.0 {
+        if function(middle) < 0.0 {
             low = middle;
         } else {
             high = middle;
         }
     }
-    let place = if number.is_multiple_of(2) { low } else { -low };
-    if number < 3 {
-        [place, 0.0, WEIGHT]
-    } else {
-        [0.0, place, WEIGHT]
-    }
+    0.5 * (low + high)
 }

@@ -27,7 +27,7 @@ fn joint(x: &[f64]) -> [f64; 3] {
 
 pub(super) fn rows() -> Vec<Row> {
     vec![
-        Row::new("combine_node", |x| node(x[0] as usize)),
+        Row::new("combine_node", |x| node(x[0] as usize, x[1])),
         Row::new("combine_slope", slope),
         Row::new("combine_covariance", spread),
         Row::new("combine_joint", joint),

@@ -174,13 +174,17 @@ fn cosine(case: &Case, slope: [f64; 2]) -> [f64; 3] {
 
 #[test]
 fn nodes_have_the_moments_of_what_they_stand_for() {
-    let nodes = [0, 1, 2, 3, 4].map(node);
-    let sum = |of: &dyn Fn(&[f64; 3]) -> f64| nodes.iter().map(|node| node[2] * of(node)).sum::<f64>();
-    let close = |value: f64, expected: f64| assert!((value - expected).abs() < 1e-12, "{value} is not {expected}");
-    close(sum(&|_| 1.0), 1.0);
-    for (first, second) in [(0, 0), (0, 1), (1, 1)] {
-        close(sum(&|node| node[first]), 0.0);
-        let own = if first == second { 0.49 } else { 0.0 };
-        close(own + sum(&|node| node[first] * node[second]), if first == second { 1.0 } else { 0.0 });
+    for skewness in [0.0, 0.3, 0.63, 1.0] {
+        let nodes = [0, 1, 2, 3, 4].map(|number| node(number, skewness));
+        let sum = |of: &dyn Fn(&[f64; 3]) -> f64| nodes.iter().map(|node| node[2] * of(node)).sum::<f64>();
+        let close = |value: f64, expected: f64| assert!((value - expected).abs() < 1e-12, "{value} is not {expected}");
+        close(sum(&|_| 1.0), 1.0);
+        for (first, second) in [(0, 0), (0, 1), (1, 1)] {
+            close(sum(&|node| node[first]), 0.0);
+            let own = if first == second { 0.49 } else { 0.0 };
+            close(own + sum(&|node| node[first] * node[second]), if first == second { 1.0 } else { 0.0 });
+        }
+        close(sum(&|node| node[0].powi(3)), 0.75 * skewness);
+        close(sum(&|node| node[1].powi(3)), 0.0);
     }
 }
