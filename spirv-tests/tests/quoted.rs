@@ -145,11 +145,19 @@ fn the_readme_quotes_the_mountains() -> Outcome {
         let [naive, alike, ours] = [naive?.parse::<f64>()?, alike?.parse()?, ours?.parse()?];
         Ok(format!("{naive:.3}, {alike:.3} and {ours:.3}"))
     };
+    let [near, over] = ["grazing", "overhead"].map(|view| cell(view, "joint", "rms"));
+    let [near, over] = [near?.parse::<f64>()?, over?.parse::<f64>()?];
+    let models = rows(include_str!("../../docs/cliffs_model.csv"));
+    let times = |row: &Row<'_>| -> Outcome<f64> { Ok(row["factored"].parse::<f64>()? / row["joint"].parse::<f64>()?) };
+    let times = models.iter().filter(|row| row["taps"] == "correlated").map(times).collect::<Outcome<Vec<f64>>>()?;
+    let [least, most] = [times.iter().copied().reduce(f64::min), times.iter().copied().reduce(f64::max)];
     let text = README.split_whitespace().collect::<Vec<_>>().join(" ");
     for quoted in [
         format!("{} near the horizon", three("grazing")?),
         format!("takes {} samples", cell("grazing", "factored", "samples")?),
         format!("errs by {}", three("overhead")?),
+        format!("is {:.1} to {:.1} times as near", least.unwrap_or(f64::NAN), most.unwrap_or(f64::NAN)),
+        format!("errs by {near:.3} and {over:.3} in these two views"),
     ] {
         assert!(text.contains(&quoted), "the README lacks: {quoted}");
     }

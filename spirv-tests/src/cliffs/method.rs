@@ -1,12 +1,12 @@
 //! The ways to color and light the ground that are compared, each as a kernel on the device.
 
 use super::known::Known;
-use super::scene::Materials;
+use super::scene::{Materials, PRODUCTS};
 use super::Error;
 use crate::imaging::picture::Picture;
 use crate::imaging::taps::ALL_TAPS;
 use prefilter::gpu::{Address, Device, Kernel, Texture, Work};
-use prefilter::{Accuracy, HeightTier, Irradiance, IrradianceTier, Microsurface, Scene};
+use prefilter::{Irradiance, IrradianceTier, Microsurface, Scene};
 
 /// A way to color and light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,13 +15,15 @@ pub enum Method {
     Naive,
     /// Over all heights and slopes, whichever are seen.
     Alike,
-    /// The color of what is seen times the irradiance on what is seen.
+    /// The mean color of what is seen times the mean irradiance on it.
     Factored,
+    /// The mean of color times irradiance over what is seen.
+    Joint,
 }
 
 impl Method {
     /// All of them.
-    pub const ALL: [Self; 3] = [Self::Naive, Self::Alike, Self::Factored];
+    pub const ALL: [Self; 4] = [Self::Naive, Self::Alike, Self::Factored, Self::Joint];
 
     /// The name above pictures and in tables for people.
     pub fn label(self) -> &'static str {
@@ -29,11 +31,12 @@ impl Method {
             Self::Naive => "naive",
             Self::Alike => "view-independent",
             Self::Factored => "ours, factored",
+            Self::Joint => "ours, joint",
         }
     }
 
     /// Those that filter what is seen.
-    pub const FILTERED: [Self; 1] = [Self::Factored];
+    pub const FILTERED: [Self; 2] = [Self::Factored, Self::Joint];
 
     /// The name in tables for other programs.
     pub fn stem(self) -> &'static str {
@@ -41,6 +44,7 @@ impl Method {
             Self::Naive => "naive",
             Self::Alike => "view-independent",
             Self::Factored => "factored",
+            Self::Joint => "joint",
         }
     }
 
@@ -49,6 +53,7 @@ impl Method {
             Self::Naive => include_str!("methods/naive.wgsl"),
             Self::Alike => include_str!("methods/alike.wgsl"),
             Self::Factored => include_str!("methods/factored.wgsl"),
+            Self::Joint => include_str!("methods/joint.wgsl"),
         }
     }
 }
@@ -66,19 +71,15 @@ impl Renderer {
     /// # Errors
     /// Those of the scenes and of the device.
     pub fn new(device: &Device, materials: &Materials, sky: Irradiance, method: Method) -> Result<Self, Error> {
-        let Materials { ground, flat, rock } = materials.clone();
         let seen = Microsurface { shadowing: false, mean_slope: true, ..Microsurface::default() };
-        let ground = Scene::new("ground").height(ground).accuracy(Accuracy::default().without_tables());
-        let ground = ground.height_tier(HeightTier::ClosedForm).microsurface(seen).module()?;
-        let flat = Scene::new("bare").steepness(flat).accuracy(Accuracy::max_filter_error(1.0)).module()?;
-        let rock = Scene::new("rock").steepness(rock).accuracy(Accuracy::max_filter_error(1.0)).module()?;
-        let sky = Scene::new("sky").irradiance(sky).irradiance_tier(IrradianceTier::FourGaussians).module()?;
-        let text = [include_str!("shade.wgsl"), include_str!("methods/separate.wgsl"), method.text()].join("\n");
-        let shader = prefilter::link(&[&ground, &flat, &rock, &sky], &text)?;
+        let colors = Scene::new("cliffs").combination(materials.map()?.combination("ground", PRODUCTS)?);
+        let colors = colors.microsurface(seen).irradiance(sky).module()?;
+        let light = Scene::new("sky").irradiance(sky).irradiance_tier(IrradianceTier::FourGaussians).module()?;
+        let text = [include_str!("shade.wgsl"), method.text()].join("\n");
+        let shader = prefilter::link(&[&colors, &light], &text)?;
         let kernel = Kernel::new(device, shader.wgsl(), "main")?;
-        let tables = [&flat, &rock].into_iter().flat_map(|module| module.tables());
-        let textures = tables.map(|table| device.upload(table, Address::Clamp)).collect::<Result<_, _>>()?;
-        Ok(Self { kernel, textures })
+        let textures = colors.tables().iter().map(|table| device.upload(table, Address::Clamp));
+        Ok(Self { kernel, textures: textures.collect::<Result<_, _>>()? })
     }
 
     /// The picture of what is known, `width` pixels wide.

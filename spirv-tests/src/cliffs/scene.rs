@@ -3,7 +3,7 @@
 use super::Error;
 use crate::imaging::view::{azimuth, Lens, View};
 use prefilter::reference::texture::PiecewiseLinear;
-use prefilter::{ColorMap, Irradiance};
+use prefilter::{ColorMap, Irradiance, JointMap};
 
 /// A light's name.
 pub const LIGHTS: [&str; 2] = ["behind", "ahead"];
@@ -16,6 +16,10 @@ const ASIDE: f64 = 35.0;
 
 /// Where cameras stand on the ground, in meters; each sees other hills.
 pub const PLACES: [[f64; 2]; 4] = [[3000.0, 4000.0], [24000.0, 19000.0], [13500.0, 34000.0], [34500.0, 49000.0]];
+
+/// Products of what depends on the height and on the steepness, of which all colors are a sum: three channels of the
+/// ground by height, and one that is constant.
+pub const PRODUCTS: usize = 4;
 
 /// Colors of the ground by height, of what is flat and what is not, and of the rock on what is not.
 #[derive(Clone, Debug)]
@@ -47,6 +51,18 @@ impl Materials {
             flat: ColorMap::gradient([(0.55, [1.0; 3]), (0.75, [0.0; 3])])?,
             rock: ColorMap::gradient([(0.55, [0.0; 3]), (0.75, rock)])?,
         })
+    }
+
+    /// The colors of height and steepness together, as a sum of products.
+    ///
+    /// # Errors
+    /// None: the colors are fixed.
+    pub fn map(&self) -> Result<JointMap, Error> {
+        let palette = self.palette();
+        let positions = |map: &ColorMap| -> Vec<f32> { map.knots().iter().map(|knot| knot.position).collect() };
+        let color =
+            |height: f32, steepness: f32| palette.color(height.into(), steepness.into()).map(|part| part as f32);
+        Ok(JointMap::new(positions(&self.ground), positions(&self.flat), color)?)
     }
 
     /// What the truth looks colors up in.
@@ -135,6 +151,15 @@ pub fn views([width, height]: [usize; 2]) -> [View; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// As many products are enough, and no fewer.
+    #[test]
+    fn colors_are_a_sum_of_products() -> Result<(), Error> {
+        let errors = Materials::new()?.map()?.errors().to_vec();
+        println!("products leave {errors:?}");
+        assert!(errors[PRODUCTS - 1] < 1e-6 && errors[PRODUCTS - 2] > 1.0 / 255.0, "{errors:?}");
+        Ok(())
+    }
 
     /// Order 2 of a sun is negative on its back; with the sky no normal gets less than nothing, so that it makes no
     /// difference that only one side of a comparison clamps there.

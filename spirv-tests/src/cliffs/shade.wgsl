@@ -10,18 +10,33 @@ struct Known {
 }
 
 const numbers = 10u;
+const pi = 3.14159265;
+const east = vec3f(1.0, 0.0, 0.0);
+const north = vec3f(0.0, 1.0, 0.0);
 const up = vec3f(0.0, 0.0, 1.0);
 
 @group(0) @binding(0) var<storage, read_write> colors: array<vec4f>;
 @group(0) @binding(1) var<storage, read> known: array<f32>;
-@group(1) @binding(0) var bare_table: texture_2d<f32>;
-@group(1) @binding(1) var bare_sampler: sampler;
-@group(1) @binding(2) var rock_table: texture_2d<f32>;
-@group(1) @binding(3) var rock_sampler: sampler;
+@group(1) @binding(0) var a: texture_2d<f32>;
+@group(1) @binding(1) var a_sampler: sampler;
+@group(1) @binding(2) var b: texture_2d<f32>;
+@group(1) @binding(3) var b_sampler: sampler;
+@group(1) @binding(4) var c: texture_2d<f32>;
+@group(1) @binding(5) var c_sampler: sampler;
+@group(1) @binding(6) var d: texture_2d<f32>;
+@group(1) @binding(7) var d_sampler: sampler;
 
-// Irradiance over pi, of the slopes that a view sees.
-fn irradiance(slope: vec2f, covariance: vec3f, view: vec3f) -> vec3f {
-    return sky_irradiance(slope, covariance, view, vec3f(1.0, 0.0, 0.0), vec3f(0.0, 1.0, 0.0), up) / 3.14159265;
+// The generated color, of the heights and slopes that a view sees.
+fn color(mean: f32, deviation: f32, slope: vec2f, covariance: vec3f, view: vec3f) -> vec3f {
+    return cliffs_combined(
+        mean, deviation, slope, covariance, view,
+        a, a_sampler, b, b_sampler, c, c_sampler, d, d_sampler,
+    );
+}
+
+// The generated irradiance of the slopes that a view sees, over pi; the tangent frame is the world's.
+fn light(slope: vec2f, covariance: vec3f, view: vec3f) -> vec3f {
+    return sky_irradiance(slope, covariance, view, east, north, up) / pi;
 }
 
 @compute @workgroup_size(64)

@@ -1,5 +1,5 @@
-// Color and irradiance over all heights and slopes, whichever are seen.
+// The mean color times the mean light, over all heights and slopes, whichever are seen.
 
 fn radiance(k: Known) -> vec3f {
-    return tinted(k.mean, k.deviation, k.slope, k.covariance, up) * irradiance(k.slope, k.covariance, up);
+    return color(k.mean, k.deviation, k.slope, k.covariance, up) * light(k.slope, k.covariance, up);
 }

@@ -1,5 +1,5 @@
-// Color over what is seen times irradiance over what is seen.
+// The mean color times the mean light, over what is seen.
 
 fn radiance(k: Known) -> vec3f {
-    return tinted(k.mean, k.deviation, k.slope, k.covariance, k.view) * irradiance(k.slope, k.covariance, k.view);
+    return color(k.mean, k.deviation, k.slope, k.covariance, k.view) * light(k.slope, k.covariance, k.view);
 }

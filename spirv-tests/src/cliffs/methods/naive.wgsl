@@ -1,5 +1,5 @@
-// Color and irradiance of the mean height and the mean slope.
+// Color and light of the mean height and the mean slope.
 
 fn radiance(k: Known) -> vec3f {
-    return tinted(k.mean, 0.0, k.slope, vec3f(), up) * irradiance(k.slope, vec3f(), up);
+    return color(k.mean, 0.0, k.slope, vec3f(), up) * light(k.slope, vec3f(), up);
 }
