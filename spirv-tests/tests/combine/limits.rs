@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use prefilter::gpu::Device;
-use prefilter::{ColorMap, Irradiance, IrradianceTier, Reflectance, Scene};
+use prefilter::{ColorMap, Irradiance, IrradianceTier, Reflectance, Scene, SlopeDomain, SlopeMap, SlopeTier};
 use spirv_tests::any;
 use spirv_tests::random::Random;
 
@@ -118,6 +118,59 @@ fn lit_colors_stay_in_their_hull() -> Outcome {
                     "{export} {at}: {lit:?} {light} {:?}",
                     points[at]
                 );
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Of every tier that there is, alone and with the others.
+#[test]
+fn every_tier_is_lit_by_its_own_slope() -> Outcome {
+    const POINTS: usize = 60;
+    let device = Device::new()?;
+    let map = ColorMap::gradient([(-0.4, [0.1, 0.2, 0.9]), (0.5, [0.8, 0.7, 0.1])])?;
+    let length = ColorMap::gradient([(0.1, [0.1, 0.2, 0.9]), (0.5, [0.8, 0.7, 0.1])])?;
+    let wheel = |[x, y]: [f32; 2]| [0.5 + 0.4 * x, 0.5 + 0.4 * y, 0.5];
+    let wheel = SlopeMap::from_function(16, SlopeDomain::Within(1.0), wheel)?;
+    let mut layers = Vec::new();
+    for tier in [SlopeTier::Naive, SlopeTier::Unweighted, SlopeTier::Gaussian, SlopeTier::Pair] {
+        layers.push(Scene::new("sand").slope(map.clone()).slope_tier(tier));
+        if tier != SlopeTier::Unweighted {
+            layers.push(Scene::new("rock").steepness(length.clone()).slope_tier(tier));
+        }
+        layers.push(Scene::new("wheel").slope_map(wheel.clone()).slope_tier(tier));
+    }
+    let bare = Scene::new("bare").irradiance(sky()?).irradiance_tier(IrradianceTier::FourGaussians).module()?;
+    let mut random = Random::new(0x717);
+    let slopes: Vec<_> = (0..POINTS).map(|_| single([random.unit() - 0.5, random.unit() - 0.5]).to_vec()).collect();
+    let number = |at: usize, name: &str| match name {
+        "mean_slope" => slopes[at].clone(),
+        "slope_covariance" => vec![0.0; 3],
+        "view" => vec![0.6, 0.0, 0.8],
+        "light" => vec![-0.48, 0.36, 0.8],
+        "direction" => vec![0.6, -0.8],
+        "x" => vec![1.0, 0.0, 0.0],
+        "y" => vec![0.0, 1.0, 0.0],
+        "z" => vec![0.0, 0.0, 1.0],
+        "radiance" => vec![PI; 3],
+        _ => vec![f64::NAN],
+    };
+    let lights =
+        [run(&device, &bare, "bare_irradiance", POINTS, number)?, run(&device, &bare, "bare_lambert", POINTS, number)?];
+    let other = Scene::new("other").steepness(length.clone()).slope_tier(SlopeTier::Gaussian);
+    for (place, layer) in layers.iter().enumerate() {
+        let scene = Scene::new("hills").combination(layer + 0.5 * &other);
+        let module = scene.irradiance(sky()?).reflectance(Reflectance::Lambert).module()?;
+        let colors = run(&device, &module, "hills_combined", POINTS, number)?;
+        for (kind, export) in ["hills_lit", "hills_radiance"].into_iter().enumerate() {
+            let lit = run(&device, &module, export, POINTS, number)?;
+            for (at, lit) in lit.iter().enumerate() {
+                for channel in 0..3 {
+                    let light = lights[kind][at][if kind == 0 { channel } else { 0 }];
+                    let apart = lit[channel] - colors[at][channel] * light;
+                    assert!(apart.abs() < 1e-4, "layer {place}, {export} {at}: {apart:e}\n{}", module.explain());
+                }
             }
         }
     }
