@@ -61,8 +61,8 @@ impl Scene {
     /// [`Self::reflectance`] `NAME_radiance(…, radiance, …)`, the whole of a directional light.
     ///
     /// The bound is that of the color. Each layer has its own tier, ranges and colors; an accuracy that the combination
-    /// asks for is shared among layers that ask for none. Accuracies and tiers of layers themselves are theirs,
-    /// whatever the whole then errs by.
+    /// asks for is shared among layers that ask for none, by what they need. Accuracies and tiers of layers themselves
+    /// are theirs, whatever the whole then errs by.
     #[must_use]
     pub fn combination(self, combination: impl Into<Combination>) -> Self {
         Self { combination: Some(combination.into()), ..self }

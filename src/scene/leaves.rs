@@ -1,5 +1,7 @@
 //! What a combination is made of: layers, each with its share of the error, and weights.
 
+use std::collections::BTreeMap;
+
 use super::candidate::Over;
 use super::combination::Expression;
 use super::layer::Layer;
@@ -72,11 +74,43 @@ impl Scene {
         Ok(Leaves { scenes, weights, four: channels.first() == Some(&4) })
     }
 
-    /// The layers with their tiers. An accuracy of the combination is shared among those that ask for none.
+    /// The layers with their tiers. An accuracy of the combination is shared among those that ask for none: alike at
+    /// first, and what some of them leave among those for which that is too little.
     ///
     /// # Errors
     /// As [`Self::layer`].
     pub(super) fn layers<'a>(&self, expression: &Expression, scenes: Vec<&'a Scene>) -> Result<Vec<Layer<'a>>, Error> {
+        let mut errors: BTreeMap<&str, f64> = BTreeMap::new();
+        let mut layers: Vec<Option<Layer<'a>>> = scenes.iter().map(|_| None).collect();
+        loop {
+            let open: Vec<usize> = (0..scenes.len()).filter(|&place| layers[place].is_none()).collect();
+            let asking: Vec<&Scene> = open.iter().map(|&place| scenes[place]).collect();
+            let shares = self.shares(expression, &asking, &errors);
+            let mut refused = None;
+            for (&place, share) in open.iter().zip(shares) {
+                let scene = scenes[place];
+                match self.layer(scene, share) {
+                    Ok(layer) => {
+                        // What a layer asks for itself is not shared.
+                        let own = if scene.accuracy.is_none() { layer.chosen.judged.into() } else { 0.0 };
+                        errors.insert(&scene.name, share.min(own));
+                        layers[place] = Some(layer);
+                    }
+                    Err(error @ Error::Accuracy { .. }) => refused = Some(error),
+                    Err(error) => return Err(error),
+                }
+            }
+            let stuck = open.iter().all(|&place| layers[place].is_none());
+            match refused {
+                None => return Ok(layers.into_iter().flatten().collect()),
+                Some(error) if stuck => return Err(error),
+                Some(_) => {}
+            }
+        }
+    }
+
+    /// What each layer may err by, of what the layers with known errors leave.
+    fn shares(&self, expression: &Expression, asking: &[&Scene], errors: &BTreeMap<&str, f64>) -> Vec<f64> {
         let asked = f64::from(self.accuracy.unwrap_or_default().max_filter_error);
         let whole = |own: &dyn Fn(&Scene) -> f64| {
             let of = |scene: &Scene| {
@@ -85,18 +119,20 @@ impl Scene {
             };
             expression.error(&of)[0]
         };
-        let count = scenes.iter().filter(|scene| scene.accuracy.is_none()).count() as f64;
-        let least = whole(&|_| 0.0);
+        let known = |scene: &Scene| errors.get(&*scene.name).copied();
+        let (least, used) = (whole(&|_| 0.0), whole(&|scene| known(scene).unwrap_or(0.0)));
+        let count = asking.iter().filter(|scene| scene.accuracy.is_none()).count() as f64;
         // How many times a layer's own error the whole errs.
         let weight = |scene: &Scene| whole(&|other| f64::from(u8::from(other.name == scene.name))) - least;
-        let share = |scene: &Scene, part: f64| part * asked / (count * weight(scene).max(1e-3));
+        let share = |scene: &Scene, part: f64| part * (asked - used).max(0.0) / (count * weight(scene).max(1e-3));
         // Errors of factors are multiplied, too, and colors are rounded.
         let free = |scene: &Scene, part| if scene.accuracy.is_none() { share(scene, part) } else { 0.0 };
         let mut part = 1.0;
-        while whole(&|scene| free(scene, part)) > asked && part > 0.5 {
+        while whole(&|scene| known(scene).unwrap_or_else(|| free(scene, part))) > asked && part > 0.5 {
             part *= 0.98;
         }
-        scenes.into_iter().map(|scene| self.layer(scene, share(scene, part))).collect()
+        // An accuracy is a positive number.
+        asking.iter().map(|scene| share(scene, part).clamp(1e-30, 1e30)).collect()
     }
 
     /// Whether a surface hides what the layers color.

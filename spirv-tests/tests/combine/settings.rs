@@ -148,6 +148,9 @@ fn an_accuracy_is_kept_whatever_the_colors() -> Outcome {
         assert!(module.bound().value() <= error, "{}", module.explain());
     }
     assert!(matches!(asked(mixed, 0.1), Err(Error::Accuracy { .. })));
+    // One layer needs more than half of it, and the other next to nothing.
+    let module = asked(Scene::new("grain").texture(map()?) + &sand, 0.011)?;
+    assert!(module.bound().value() <= 0.011, "{}", module.explain());
     // A layer of its own accuracy leaves the whole to the others.
     let own = sand.clone().accuracy(Accuracy::max_filter_error(0.05));
     let grain = Scene::new("grain").texture(map()?);
