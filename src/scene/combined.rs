@@ -186,7 +186,7 @@ impl Combined<'_> {
         let lit = if self.four { format!("({}).xyz", self.color) } else { self.color.clone() };
         let _ = write!(node, "        let c = {lit};\n        let l = {facet};\n");
         let steep = |layer: &Layer<'_>| matches!(layer.chosen.over, Over::Steepness(SlopeTier::Gaussian));
-        joint(mean, &node, color, self.layers.iter().any(steep))
+        joint(mean, &node, color, self.layers.iter().filter(|layer| layer.slopes()).all(steep))
     }
 
     fn lit(&self, tier: IrradianceTier, filter: &Filter) -> Result<String, Error> {
