@@ -7,9 +7,9 @@
 //! Where color and light depend on slopes, the mean of their product is not the product of their means (Bruneton and
 //! Neyret 2012, "A Survey of Nonlinear Prefiltering Methods for Efficient and Accurate Surface Shading", section 8.1).
 //! What is between is estimated from five nodes of the visible slopes. Of the covariance of steps, by a component or by
-//! the length of the slope, with a cosine or a light of order 2, five nodes leave 0.18 (root mean square), seven in a
-//! hexagon 0.15, and nine in a square or an octagon 0.15 and 0.14. A map of steepness is averaged over the nodes, too:
-//! five distributions of Rice, each of a fourth of the variance, are closer to the visible lengths than a single one.
+//! the length of the slope, with a cosine or a light of order 2, five nodes of a normal distribution leave 0.18 (root
+//! mean square), seven in a hexagon 0.15, and nine in a square or an octagon 0.15 and 0.14. A map of steepness that is
+//! read from one distribution of Rice is averaged over the nodes, too: five, each of half of the variance, are closer.
 //!
 //! Source: Heitz, Nowrouzezahrai, Poulin and Neyret 2014, "Filtering Non-Linear Transfer Functions on Surfaces",
 //! section 6.

@@ -121,6 +121,12 @@ impl From<&Scene> for Combination {
     }
 }
 
+impl From<&Self> for Combination {
+    fn from(combination: &Self) -> Self {
+        combination.clone()
+    }
+}
+
 impl From<f32> for Combination {
     fn from(number: f32) -> Self {
         Self(Expression::Number(number))
@@ -161,9 +167,11 @@ macro_rules! arithmetic {
 
 arithmetic! {
     Combination, T, T;
+    &Combination, T, T;
     Scene, T, T;
     &Scene, T, T;
     f32, Combination;
+    f32, &Combination;
     f32, Scene;
     f32, &Scene;
 }

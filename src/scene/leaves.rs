@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::candidate::Over;
-use super::combination::Expression;
+use super::combination::{Combination, Expression};
 use super::layer::Layer;
 use super::Scene;
 use crate::filter::height::Microsurface;
@@ -36,8 +36,10 @@ impl Scene {
                         let what = format!("two different layers of `{}` are called `{}`", self.name, scene.name);
                         return Err(Error::Conflict(what));
                     }
-                    if matches!(leaf, Expression::Layer(_)) {
-                        channels.extend(scene.channels());
+                    match leaf {
+                        // Read from a file, it may be one that there is not.
+                        Expression::Channel(_, channel) => drop(Combination::channel(scene, *channel)?),
+                        _ => channels.extend(scene.channels()),
                     }
                     if !scenes.contains(&&**scene) {
                         scenes.push(scene);

@@ -6,7 +6,7 @@ use super::Error;
 use crate::imaging::picture::Picture;
 use crate::imaging::taps::ALL_TAPS;
 use prefilter::gpu::{Address, Device, Kernel, Texture, Work};
-use prefilter::{Irradiance, IrradianceTier, Microsurface, Scene};
+use prefilter::{Accuracy, Irradiance, IrradianceTier, Microsurface, Scene};
 
 /// A way to color and light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -20,6 +20,10 @@ pub enum Method {
     /// The mean of color times irradiance over what is seen.
     Joint,
 }
+
+/// The largest error of the mean color that is asked for: lengths of slopes are ten distributions where one errs by
+/// more.
+const ERROR: f32 = 0.06;
 
 impl Method {
     /// All of them.
@@ -73,7 +77,7 @@ impl Renderer {
     pub fn new(device: &Device, materials: &Materials, sky: Irradiance, method: Method) -> Result<Self, Error> {
         let seen = Microsurface { shadowing: false, mean_slope: true, ..Microsurface::default() };
         let colors = Scene::new("cliffs").combination(materials.map()?.combination("ground", PRODUCTS)?);
-        let colors = colors.microsurface(seen).irradiance(sky).module()?;
+        let colors = colors.microsurface(seen).irradiance(sky).accuracy(Accuracy::max_filter_error(ERROR)).module()?;
         let light = Scene::new("sky").irradiance(sky).irradiance_tier(IrradianceTier::FourGaussians).module()?;
         let text = [include_str!("shade.wgsl"), method.text()].join("\n");
         let shader = prefilter::link(&[&colors, &light], &text)?;

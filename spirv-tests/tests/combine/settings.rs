@@ -17,7 +17,7 @@ fn sky() -> Result<Irradiance, Error> {
 
 fn refused(scene: &Scene, what: &str) {
     match scene.module() {
-        Err(error @ (Error::Conflict(_) | Error::Value { .. })) => {
+        Err(error @ (Error::Conflict(_) | Error::Value { .. } | Error::Size { .. })) => {
             assert!(error.to_string().contains(what), "{error}");
         }
         other => panic!("{what}: {other:?}"),
@@ -82,6 +82,28 @@ fn layers_may_have_the_names_of_other_things() -> Outcome {
             .signature
             .contains(&format!("({name}_mean: f32, {name}_deviation: f32, mean_slope")));
     }
+    Ok(())
+}
+
+/// A file may name a channel that its map has not.
+#[test]
+fn channels_from_files_are_those_of_their_maps() -> Outcome {
+    let mask = Scene::new("mask").height(map()?);
+    let scene = Scene::new("hills").combination(Combination::channel(&mask, 2)? * Combination::color([0.1, 0.2, 0.3])?);
+    let text = serde_json::to_string(&scene)?;
+    assert_eq!(serde_json::from_str::<Scene>(&text)?, scene);
+    assert!(text.contains("},2]"), "{text}");
+    refused(&serde_json::from_str(&text.replace("},2]", "},3]"))?, "the channel of `mask`");
+    Ok(())
+}
+
+/// An expression may be used more than once.
+#[test]
+fn expressions_are_operands_by_reference() -> Outcome {
+    let (half, layer) = (Combination::from(0.5), Scene::new("sand").slope(map()?));
+    let (owned, lent) = (half.clone() * &layer + 0.5 * half.clone(), &half * &layer + 0.5 * &half);
+    assert_eq!(owned, lent);
+    assert!(Scene::new("hills").combination(&lent).module().is_ok());
     Ok(())
 }
 
