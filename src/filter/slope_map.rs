@@ -18,11 +18,11 @@ use crate::transfer::slope_map::{SlopeDomain, SlopeMap};
 /// Of a normal distribution itself, a step, a disc or a sector errs by up to this much. Over a flat mesh with a map of
 /// normals that is all, by [`SlopeTier::Unweighted`]:
 ///
-/// | deviations of the axes | one read | three | five |
-/// |---|---|---|---|
-/// | 1:1 | 0 | 0 | 0 |
-/// | 2:1 | 0.102 | 0.017 | 0.0016 |
-/// | 4:1 | 0.20 | 0.077 | 0.026 |
+/// | deviations of the axes | one read | three | five | nine |
+/// |---|---|---|---|---|
+/// | 1:1 | 0 | 0 | 0 | 0 |
+/// | 2:1 | 0.102 | 0.017 | 0.0016 | 0.0001 |
+/// | 4:1 | 0.20 | 0.077 | 0.026 | 0.0019 |
 ///
 /// Seen from the horizon of the mean surface, the normal distribution of visible slopes is up to 1.5 times longer
 /// across the view than that of all slopes, and the longer one of two up to 2.6 times.
@@ -35,6 +35,9 @@ pub enum SlopeTaps {
     Three,
     /// Five, up to 6.2 times.
     Five,
+    /// Nine, up to 11 times: as long as what is seen from the horizon of slopes that vary four times as much across
+    /// the view as along it.
+    Nine,
 }
 
 impl std::fmt::Display for SlopeTaps {
@@ -43,6 +46,7 @@ impl std::fmt::Display for SlopeTaps {
             Self::One => "one read",
             Self::Three => "three reads",
             Self::Five => "five reads",
+            Self::Nine => "nine reads",
         })
     }
 }
@@ -54,8 +58,8 @@ const NODES: [usize; 2] = [128, 20];
 /// Where no ranges are given: mean slopes to 1 either way, deviations to 0.5.
 pub(crate) const RANGES: Ranges = Ranges { mean: (-1.0, 1.0), deviation: 0.5 };
 
-/// How far reads may lie beyond the mean of all slopes, in deviations: 1.664 for the pair at the horizon, and as much
-/// for the outermost of five on the axis across.
+/// How far reads may lie beyond the mean of all slopes, in deviations: 1.664 for the pair at the horizon, and about as
+/// much for the outermost reads of any weight, of those on its axis.
 const REACH: f64 = 3.4;
 
 /// How far a map that is constant beyond its domain blurs out of it, in deviations.
@@ -113,16 +117,16 @@ impl Atlas {
 }
 
 /// The largest error of a step, of a disc about the slope 0 and of a quarter of all directions, for views above the
-/// horizon of the mean surface whose slopes' covariance has axes of ratios up to 2; of one, three and five reads.
+/// horizon of the mean surface whose slopes' covariance has axes of ratios up to 2; of one, three, five and nine reads.
 /// `shapes_keep_the_figures_of_their_tiers` in `spirv-tests/tests/slope_map/figures.rs` measures them on the device.
-const UNWEIGHTED: [f64; 3] = [0.643, 0.587, 0.579];
-const GAUSSIAN: [f64; 3] = [0.163, 4.75e-2, 4.7e-2];
-const PAIR: [f64; 3] = [0.177, 6.15e-2, 2.35e-2];
+const UNWEIGHTED: [f64; 4] = [0.643, 0.587, 0.579, 0.577];
+const GAUSSIAN: [f64; 4] = [0.163, 4.75e-2, 4.7e-2, 4.7e-2];
+const PAIR: [f64; 4] = [0.177, 6.15e-2, 2.35e-2, 1.18e-2];
 
 /// The largest error of a map with one edge from 0 to 1.
 pub(crate) fn edge_error(tier: SlopeTier, taps: SlopeTaps) -> f64 {
     let errors = match tier {
-        SlopeTier::Naive => [1.0; 3],
+        SlopeTier::Naive => [1.0; 4],
         SlopeTier::Unweighted => UNWEIGHTED,
         SlopeTier::Gaussian => GAUSSIAN,
         SlopeTier::Pair => PAIR,
@@ -136,6 +140,7 @@ pub(crate) fn over(atlas: &Atlas, map: &SlopeMap, tier: SlopeTier, taps: SlopeTa
         SlopeTaps::One => "slope_map_one",
         SlopeTaps::Three => "slope_map_three",
         SlopeTaps::Five => "slope_map_five",
+        SlopeTaps::Nine => "slope_map_nine",
     };
     let layout = &atlas.layout;
     let read =

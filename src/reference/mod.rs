@@ -15,6 +15,7 @@ pub mod percentile;
 pub mod perturbed;
 pub mod quadrature;
 pub mod roughness;
+pub mod rounds;
 pub mod slope;
 pub mod slope_map;
 pub mod slope_moments;

@@ -31,7 +31,7 @@ const LOOPS: [&str; 3] = ["texture_knots", "height_knots", "percentile_knots"];
 const NODES: [&str; 2] = ["lit", "radiance"];
 
 /// The shelf's loops over the two sides of a mean slope.
-const SIDES: [&str; 2] = ["rice_five", "slope_map_five"];
+const SIDES: [&str; 3] = ["rice_five", "slope_map_five", "slope_map_nine"];
 
 /// Where a scene of heights asks for no accuracy and no tier keeps the default, how many times the closest one's bound
 /// is near enough.

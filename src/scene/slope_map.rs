@@ -9,16 +9,17 @@ use crate::transfer::slope_map::SlopeMap;
 use crate::Error;
 
 /// Tiers and reads from which an accuracy chooses: five reads are lost on one normal distribution, and three are too
-/// few for each of two where slopes vary twice as much across the view as along it.
-const CHOICES: [(SlopeTier, SlopeTaps); 3] = [
+/// few for each of two where slopes vary twice as much across the view as along it. Nine lose nothing there.
+const CHOICES: [(SlopeTier, SlopeTaps); 4] = [
     (SlopeTier::Gaussian, SlopeTaps::One),
     (SlopeTier::Gaussian, SlopeTaps::Three),
     (SlopeTier::Pair, SlopeTaps::Five),
+    (SlopeTier::Pair, SlopeTaps::Nine),
 ];
 
 /// Those from which it chooses where the scene names the other.
 const TIERS: [SlopeTier; 2] = [SlopeTier::Gaussian, SlopeTier::Pair];
-const TAPS: [SlopeTaps; 3] = [SlopeTaps::One, SlopeTaps::Three, SlopeTaps::Five];
+const TAPS: [SlopeTaps; 4] = [SlopeTaps::One, SlopeTaps::Three, SlopeTaps::Five, SlopeTaps::Nine];
 
 impl Scene {
     /// Cs of a map of the whole slope: color by direction and steepness of the slopes of a rough surface that a view

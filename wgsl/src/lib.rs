@@ -56,6 +56,7 @@ pub const FILES: &[File] = shelf![
     "filter/perturbed.wgsl",
     "filter/percentile.wgsl",
     "filter/rice.wgsl",
+    "filter/rounds.wgsl",
     "filter/slope_map.wgsl",
     "filter/texture.wgsl",
 ];

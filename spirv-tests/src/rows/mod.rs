@@ -17,6 +17,7 @@ mod percentile;
 mod perturbed;
 mod rice;
 mod roughness;
+mod rounds;
 mod slope_map;
 mod slope_moments;
 mod slopes;
@@ -157,6 +158,7 @@ pub fn all() -> Vec<Row> {
         perturbed::rows(),
         rice::rows(),
         roughness::rows(),
+        rounds::rows(),
         slope_moments::rows(),
         slope_map::rows(),
         slopes::rows(),

@@ -20,6 +20,8 @@ const INSTEAD: &[(&str, &str, &str)] = &[
     // Distributions of Rice are how lengths of slopes are represented.
     ("wgsl/filter/rice.wgsl", "src/filter/rice", "src/filter/steepness"),
     ("wgsl/filter/rice.wgsl", "src/reference/rice", "src/reference/steepness"),
+    // What round distributions stand for is a setting of the maps that read them.
+    ("wgsl/filter/rounds.wgsl", "src/filter/rounds", "src/filter/slope_map"),
     // Noise is a switch of the surface that the heights belong to.
     ("wgsl/filter/perturbed.wgsl", "src/filter/perturbed", "src/filter/height/surface"),
 ];

@@ -30,8 +30,8 @@ struct five { lengths: vec4f, middle: f32, sigma: f32, weights: vec2f }
 struct ten { low: five, high: five }
 fn rounds(mean: vec2f, covariance: vec3f) -> five {
     let d = footprint_deviations(covariance);
-    let part = clamp(d.y / d.x, slope_map_arms_least, 1.0);
-    let arms = slope_map_arms(part);
+    let part = clamp(d.y / d.x, rounds_five_least, 1.0);
+    let arms = rounds_five(part);
     let away = sqrt(1.0 - part * part) * d.x * footprint_direction(covariance);
     let lengths = vec4f(length(mean - arms.x * away), length(mean + arms.x * away), length(mean - arms.y * away),
         length(mean + arms.y * away));

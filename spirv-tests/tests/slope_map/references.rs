@@ -1,7 +1,7 @@
 //! Question 1: is the reference right? No device.
 
 use prefilter::reference::normal::cumulative;
-use prefilter::reference::slope_map::rounds::nearest;
+use prefilter::reference::rounds::nearest;
 use prefilter::reference::slopes::Visible;
 use prefilter::SlopeDomain;
 use spirv_tests::random::Random;

@@ -1,8 +1,6 @@
 //! Cs of a map of the whole slope: its mean over normal distributions of slopes and over visible slopes, by quadrature
 //! of the map itself.
 
-pub mod rounds;
-
 use super::normal::{cumulative, density};
 use super::quadrature::integrate;
 use super::slopes::Visible;

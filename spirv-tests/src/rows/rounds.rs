@@ -1,0 +1,56 @@
+//! Sums of round normal distributions: those with the least largest error of a step, by exchange.
+
+use std::sync::OnceLock;
+
+use prefilter::reference::rounds::nearest;
+
+use super::Row;
+
+/// Between nodes linearly, which leaves 1e-5: each node starts from the one before.
+struct Nearest<const N: usize> {
+    from: f64,
+    step: f64,
+    nodes: Vec<[f64; N]>,
+}
+
+impl<const N: usize> Nearest<N> {
+    /// Down from a part for which a sum is known.
+    fn new(from: f64, step: f64, count: usize, start: [f64; N]) -> Self {
+        let mut last = start;
+        let node = |index: usize| {
+            last = nearest(from - step * index as f64, last);
+            last
+        };
+        Self { from, step, nodes: (0..count).map(node).collect() }
+    }
+
+    /// The places as multiples of z a, and the weights.
+    fn at(&self, part: f64) -> [f64; N] {
+        let along = ((self.from - part) / self.step).clamp(0.0, self.nodes.len() as f64 - 1.001);
+        let (index, share) = (along as usize, along.fract());
+        let z = (1.0 - part * part).sqrt();
+        std::array::from_fn(|number| {
+            let value = (1.0 - share) * self.nodes[index][number] + share * self.nodes[index + 1][number];
+            value / if number < N / 2 { z } else { 1.0 }
+        })
+    }
+}
+
+pub(super) fn rows() -> Vec<Row> {
+    static THREE: OnceLock<Nearest<2>> = OnceLock::new();
+    static FIVE: OnceLock<Nearest<4>> = OnceLock::new();
+    static NINE: OnceLock<Nearest<8>> = OnceLock::new();
+    let nine = |part: f64| {
+        let start = [0.574, 1.168, 1.816, 2.609, 0.2025, 0.1213, 0.0474, 0.0096];
+        NINE.get_or_init(|| Nearest::new(0.3, 0.002, 107, start)).at(part)
+    };
+    let half = |pairs: [f64; 8], from: usize| -> [f64; 4] { std::array::from_fn(|number| pairs[from + number]) };
+    vec![
+        Row::new("rounds_three", |x| THREE.get_or_init(|| Nearest::new(0.6, 0.004, 80, [1.18, 0.219])).at(x[0])),
+        Row::new("rounds_five", |x| {
+            FIVE.get_or_init(|| Nearest::new(0.36, 0.002, 110, [0.846, 1.82, 0.249, 0.074])).at(x[0])
+        }),
+        Row::new("rounds_nine_places", move |x| half(nine(x[0]), 0)),
+        Row::new("rounds_nine_weights", move |x| half(nine(x[0]), 4)),
+    ]
+}
