@@ -23,7 +23,7 @@ use crate::accuracy::{Bound, Ranges};
 use crate::transfer::color_map::{ColorMap, Colors};
 use crate::transfer::pieces::Pieces;
 use crate::Error;
-use surface::{clamped, step_error, visible};
+use surface::{clamped, lambda, step_error, visible};
 
 pub use surface::Microsurface;
 pub use tier::HeightTier;
@@ -54,14 +54,15 @@ pub(crate) fn over(
     name: &str,
     arguments: &str,
 ) -> Filter {
+    let lambda = lambda(surface);
     let moments = match tier {
-        HeightTier::Paper if surface.perturbed => "vec3f(heights_moments_paper(seen + lit), 0.0)",
-        HeightTier::Paper => "heights_moments_paper(seen + lit)",
+        HeightTier::Paper if surface.perturbed => format!("vec3f(heights_moments_paper({lambda}), 0.0)"),
+        HeightTier::Paper => format!("heights_moments_paper({lambda})"),
         HeightTier::Gaussian | HeightTier::Skewed | HeightTier::ClosedForm | HeightTier::Exact => {
-            "heights_moments_fast(seen + lit)"
+            format!("heights_moments_fast({lambda})")
         }
     };
-    let (statement, [mean, width]) = visible(moments, surface);
+    let (statement, [mean, width]) = visible(&moments, surface);
     let clamped = clamped(surface, ranges);
     let body = format!("{clamped}{statement}    return {name}_texture({mean}, {width}{arguments});\n");
     let step = step_error(tier, surface, tier::rounded(tier, ranges));
@@ -89,7 +90,7 @@ pub(crate) fn bands(map: &ColorMap, colors: Colors, surface: Microsurface, range
     }
     let pieces = Pieces::new(map, |_, _| false);
     let mut body = format!("    let r = 1.0 / clamp(deviation, 1e-6, {});\n", number(ranges.deviation));
-    body += "    let lambda = seen + lit;\n";
+    body += &format!("    let lambda = {};\n", lambda(surface));
     body += &format!("    var c = {};\n", color(map, pieces.base));
     for step in &pieces.steps {
         let (change, edge) = (color(map, step.change), number(step.position));

@@ -8,7 +8,7 @@
 
 use std::f64::consts::LN_2;
 
-use super::height::surface::step_error;
+use super::height::surface::{lambda, step_error};
 use super::height::{variation, HeightTier, Microsurface};
 use super::knots;
 use super::texture::{color, number, returned, swizzle, Filter};
@@ -68,7 +68,7 @@ fn ramp_error(low: f64, width: f64) -> f64 {
 fn constant(map: &ColorMap, surface: Microsurface) -> Filter {
     let pieces = Pieces::new(map, |width, _| width < NARROW);
     let negative = |change: [f32; 4]| change.map(|channel| -channel);
-    let mut body = "    let lambda = seen + lit;\n".to_owned();
+    let mut body = format!("    let lambda = {};\n", lambda(surface));
     body += &format!("    var c = {};\n", color(map, pieces.last()));
     for kink in pieces.kinks.iter().filter(|kink| kink.position > 0.0) {
         let change = color(map, kink.change);
@@ -144,7 +144,7 @@ fn dynamic(map: &ColorMap, surface: Microsurface) -> Filter {
         });
         [bits(low), span, ratio, 0.0].map(|value| value as f32)
     });
-    let body = format!("    return percentile_knots(seen + lit, knots){};\n", swizzle(map));
+    let body = format!("    return percentile_knots({}, knots){};\n", lambda(surface), swizzle(map));
     let own = knots::bound(map, promise("percentile_step"), |low, high| ramp_error(low, high - low));
     let bound = variation(map) * step_error(HeightTier::Exact, surface, 0.0) + own;
     Filter { body, tables: vec![table], bound: Bound::Guaranteed(bound as f32), trips: map.knots().len() }

@@ -175,7 +175,7 @@ fn {name}_slope(mean_slope: vec2f, slope_covariance: vec3f{given}{parameters}) -
 ",
         if weighted { "the slopes that are seen" } else { "all slopes" },
         if weighted { VIEWED } else { "" },
-        color_type(map),
+        color_type(map.channels()),
         statements(&shared(tier))
     )
 }

@@ -6,7 +6,7 @@
 
 use super::shared::statements;
 use super::slope::{shared, SlopeTier, VIEWED};
-use super::texture::{number, Filter};
+use super::texture::{color_type, number, Filter};
 use crate::accuracy::{Bound, Ranges};
 use crate::table::grid::{Axis, Spacing, BEND};
 use crate::table::slope_map::{Baked, Plan};
@@ -179,15 +179,6 @@ pub(crate) fn given(tier: SlopeTier) -> &'static str {
     }
 }
 
-/// The type of a map's colors.
-pub(crate) fn color_type(map: &SlopeMap) -> &'static str {
-    if map.channels() == 3 {
-        "vec3f"
-    } else {
-        "vec4f"
-    }
-}
-
 /// `NAME_slope_map` with a body.
 pub(crate) fn glue(
     name: &str,
@@ -199,7 +190,7 @@ pub(crate) fn glue(
     body: &str,
 ) -> String {
     let weighted = tier != SlopeTier::Unweighted;
-    let color = color_type(map);
+    let color = color_type(map.channels());
     format!(
         "/// Mean color of `{name}` over {},
 /// by {label}.

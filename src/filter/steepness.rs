@@ -167,7 +167,7 @@ fn {name}_steepness(mean_slope: vec2f, slope_covariance: vec3f{GIVEN}{parameters
 {}{body}}}
 ",
         label(tier),
-        color_type(map),
+        color_type(map.channels()),
         statements(&shared(tier))
     )
 }

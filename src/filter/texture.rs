@@ -80,8 +80,8 @@ pub(super) fn pieces(map: &ColorMap, kernel: Kernel, ranges: Ranges) -> Pieces {
 }
 
 /// `vec3f` or `vec4f`.
-pub(crate) fn color_type(map: &ColorMap) -> &'static str {
-    if map.channels() == 3 {
+pub(crate) fn color_type(channels: usize) -> &'static str {
+    if channels == 3 {
         "vec3f"
     } else {
         "vec4f"
@@ -100,10 +100,10 @@ pub(super) fn swizzle(map: &ColorMap) -> &'static str {
 pub(crate) fn color(map: &ColorMap, value: [f32; 4]) -> String {
     let channels = &value[..map.channels()];
     if channels.iter().all(|channel| channel.to_bits() == channels[0].to_bits()) {
-        return format!("{}({})", color_type(map), number(channels[0]));
+        return format!("{}({})", color_type(map.channels()), number(channels[0]));
     }
     let list: Vec<String> = channels.iter().map(|&channel| number(channel)).collect();
-    format!("{}({})", color_type(map), list.join(", "))
+    format!("{}({})", color_type(map.channels()), list.join(", "))
 }
 
 /// A float literal that reads back to the same bits; abstract floats need a point or an exponent.

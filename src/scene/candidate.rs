@@ -139,7 +139,7 @@ impl Scene {
         let candidate = |tier: Tier| {
             let filter = filter(map, self.colors, tier, self.chosen_ranges())?;
             let beneath = self.texture_glue(map, tier, self.chosen_ranges(), &filter);
-            let glue = beneath.clone() + &self.driven("texture", color_type(map), "", &filter.tables);
+            let glue = beneath.clone() + &self.driven("texture", color_type(map.channels()), "", &filter.tables);
             let text = Text { glue, beneath, ..Text::default() };
             self.candidate(tier.to_string(), Over::Values, filter.bound.value(), filter, text)
         };
@@ -200,7 +200,7 @@ impl Scene {
             format!("/// Mean color of `{name}` over a pixel that covers a normal distribution, by {tier}.\n///\n");
         let (low, high) = ranges.mean;
         let _ = writeln!(glue, "/// For means from {low} to {high} and deviations up to {}.", ranges.deviation);
-        let color = color_type(map);
+        let color = color_type(map.channels());
         let _ =
             writeln!(glue, "fn {name}_texture(mean: f32, deviation: f32{}) -> {color} {{", parameters(&filter.tables));
         glue + &filter.body + "}\n"

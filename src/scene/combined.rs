@@ -16,7 +16,7 @@ use crate::filter::height::{surface, HeightTier};
 use crate::filter::irradiance::{irradiance, IrradianceTier};
 use crate::filter::shared::{statements, Shared};
 use crate::filter::slope::{self, SlopeTier};
-use crate::filter::texture::{number, Filter};
+use crate::filter::texture::{color_type, number, Filter};
 use crate::module::Module;
 use crate::table::Table;
 use crate::Error;
@@ -77,11 +77,7 @@ impl Combined<'_> {
     }
 
     fn color_type(&self) -> &'static str {
-        if self.four {
-            "vec4f"
-        } else {
-            "vec3f"
-        }
+        color_type(3 + usize::from(self.four))
     }
 
     /// Whether a layer depends on slopes, so that light and color are averaged together.
@@ -100,9 +96,8 @@ impl Combined<'_> {
 
     /// The statements that name `color`.
     fn statements(&self, shared: &[Shared]) -> String {
-        let surface = self.scene.microsurface;
         let mut text = statements(shared);
-        text.extend(self.layers.iter().map(|layer| layer.statement(surface, shared)));
+        text.extend(self.layers.iter().map(|layer| layer.statement(shared)));
         text + &format!("    let color = {};\n", self.color)
     }
 
@@ -250,7 +245,7 @@ impl Combined<'_> {
         let mut text = String::new();
         let lit = environment.is_some() || self.scene.reflectance == Some(Reflectance::Lambert);
         for layer in &self.layers {
-            text += &layer.functions(self.scene.microsurface, &shared);
+            text += &layer.functions(&shared);
             if lit && layer.slopes() {
                 text += &layer.alike();
             }

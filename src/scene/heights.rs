@@ -33,7 +33,7 @@ impl Scene {
                 let extra = parameters(&filter.tables);
                 let glue = Glue { name, map, tier, label: &label, surface, percentile: false, parameters: &extra }
                     .text(&filter);
-                let driven = self.driven("height", color_type(map), &given(surface), &filter.tables);
+                let driven = self.driven("height", color_type(map.channels()), &given(surface), &filter.tables);
                 let glue = glue + &driven + "\n" + &own;
                 let text = Text { glue, beneath: own.clone(), ..Text::default() };
                 let judged = if self.height_tier.is_some() { texture.bound } else { filter.bound };
@@ -71,7 +71,7 @@ impl Scene {
         let parameters = parameters(&filter.tables);
         let glue =
             Glue { name, map, tier, label: &label, surface, percentile: false, parameters: &parameters }.text(&filter);
-        let glue = glue + &self.driven("height", color_type(map), &given(surface), &filter.tables);
+        let glue = glue + &self.driven("height", color_type(map.channels()), &given(surface), &filter.tables);
         let text = Text { glue, ..Text::default() };
         self.candidate(label, Over::Heights(tier), filter.bound.value(), filter, text)
     }

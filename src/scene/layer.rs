@@ -6,7 +6,7 @@ use super::Scene;
 use crate::filter::height::{surface, HeightTier, Microsurface};
 use crate::filter::shared::Shared;
 use crate::filter::texture::color_type;
-use crate::filter::{slope, slope_map, steepness};
+use crate::filter::{slope, steepness};
 use crate::table::Table;
 use crate::transfer::color_map::ColorMap;
 use crate::{Accuracy, Error};
@@ -73,10 +73,8 @@ impl Scene {
     /// A scene that no layer can be, or none of whose tiers is close enough.
     pub(super) fn layer<'a>(&self, scene: &'a Scene, share: f64) -> Result<Layer<'a>, Error> {
         let refused = |what: &str| Err(Error::Conflict(format!("the scene `{}` {what}", scene.name)));
-        let color_type = match (scene.map(), scene.map_of_slopes()) {
-            (Some(map), _) => color_type(map),
-            (None, Some(map)) => slope_map::color_type(map),
-            (None, None) => return refused("is no layer of a combination, which has scenes with a color map"),
+        let Some(channels) = scene.channels() else {
+            return refused("is no layer of a combination, which has scenes with a color map");
         };
         if scene.combination.is_some() {
             return refused("has a color map and a combination");
@@ -109,7 +107,7 @@ impl Scene {
         };
         let function = format!("{name}_{kind}");
         let hull = scene.hull().unwrap_or_default();
-        Ok(Layer { scene, chosen, tables, function, color_type, hull })
+        Ok(Layer { scene, chosen, tables, function, color_type: color_type(channels), hull })
     }
 }
 
@@ -167,27 +165,23 @@ impl Layer<'_> {
     }
 
     /// The body of the color, of statistics and shared values.
-    pub(super) fn body(&self, surface: Microsurface) -> String {
+    pub(super) fn body(&self) -> &str {
         if self.values() {
-            return String::new();
-        }
-        let body = &self.chosen.filter.body;
-        if surface.shadowing {
-            body.clone()
+            ""
         } else {
-            body.replace("seen + lit", "seen")
+            &self.chosen.filter.body
         }
     }
 
     /// The functions of the layer: that of its color and what it stands on.
-    pub(super) fn functions(&self, surface: Microsurface, shared: &[Shared]) -> String {
+    pub(super) fn functions(&self, shared: &[Shared]) -> String {
         let Self { function, color_type, .. } = self;
         let beneath = &self.chosen.text.beneath;
         if self.values() {
             return format!("\n{beneath}");
         }
-        let (body, tables) = (self.body(surface), parameters(&self.chosen.filter.tables));
-        let list = listed(&given(&body, shared));
+        let (body, tables) = (self.body(), parameters(&self.chosen.filter.tables));
+        let list = listed(&given(body, shared));
         let own = format!(
             "\n/// Color of the layer `{}`, by {}.\nfn {function}({list}{tables}) -> {color_type} {{\n{body}}}\n",
             self.scene.name, self.chosen.label
@@ -212,10 +206,10 @@ fn {function}_alike({list}{tables}) -> {color_type} {{\n{body}}}\n",
     }
 
     /// The statement that names the layer's color, as `NAME_color`.
-    pub(super) fn statement(&self, surface: Microsurface, shared: &[Shared]) -> String {
+    pub(super) fn statement(&self, shared: &[Shared]) -> String {
         let (name, function) = (&self.scene.name, &self.function);
         let own = self.own_parameters().into_iter().map(|(name, _)| name);
-        let names = given(&self.body(surface), shared).into_iter().map(|(name, _)| name.to_owned());
+        let names = given(self.body(), shared).into_iter().map(|(name, _)| name.to_owned());
         let list: Vec<String> = own.chain(names).collect();
         format!("    let {name}_color = {function}({}{});\n", list.join(", "), arguments(&self.tables))
     }

@@ -53,7 +53,7 @@ impl Scene {
                 let (filter, alike) = (on(tier), on(SlopeTier::Unweighted).body);
                 let label = format!("{tier} over {texture_tier}");
                 let glue = glue(name, map, tier, &label, &parameters(&filter.tables), &filter.body)
-                    + &self.driven("slope", color_type(map), given(tier), &filter.tables)
+                    + &self.driven("slope", color_type(map.channels()), given(tier), &filter.tables)
                     + "\n"
                     + &own;
                 let text = Text { glue, beneath: own.clone(), alike };

@@ -3,7 +3,8 @@
 use super::candidate::{parameters, Candidate, Over, Text};
 use super::Scene;
 use crate::filter::slope::SlopeTier;
-use crate::filter::slope_map::{color_type, edge_error, floor, given, glue, over, Atlas, SlopeTaps};
+use crate::filter::slope_map::{edge_error, floor, given, glue, over, Atlas, SlopeTaps};
+use crate::filter::texture::color_type;
 use crate::transfer::color_map::ColorMap;
 use crate::transfer::slope_map::SlopeMap;
 use crate::Error;
@@ -88,7 +89,7 @@ impl Scene {
             let alike = over(&atlas, map, SlopeTier::Unweighted, taps).body;
             let label = format!("{tier} by {taps}");
             let glue = glue(&self.name, map, &atlas, tier, &label, &parameters(&filter.tables), &filter.body)
-                + &self.driven("slope_map", color_type(map), given(tier), &filter.tables);
+                + &self.driven("slope_map", color_type(map.channels()), given(tier), &filter.tables);
             let text = Text { glue, beneath: String::new(), alike };
             self.candidate(label, Over::SlopeMap(tier, taps), filter.bound.value(), filter, text)
         };

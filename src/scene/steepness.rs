@@ -48,7 +48,7 @@ impl Scene {
         let candidate = |tier| {
             let Steepness { filter, alike } = filter(map, self.colors, tier, self.chosen_ranges());
             let glue = glue(&self.name, map, tier, &parameters(&filter.tables), &filter.body)
-                + &self.driven("steepness", color_type(map), GIVEN, &filter.tables);
+                + &self.driven("steepness", color_type(map.channels()), GIVEN, &filter.tables);
             let text = Text { glue, beneath: String::new(), alike };
             let table: f32 = filter.tables.iter().map(|table| 2.0 * table.error).sum();
             let judged = if self.slope_tier.is_some() { table } else { filter.bound.value() };

@@ -34,7 +34,6 @@ impl Glue<'_> {
     fn height(&self, body: &str) -> String {
         let Self { name, map, tier, label, surface, percentile, parameters } = *self;
         let (light, who) = if surface.shadowing { (", light: vec3f", "seen and lit") } else { ("", "seen") };
-        let body = if surface.shadowing { body.to_owned() } else { body.replace("seen + lit", "seen") };
         format!(
             "/// Mean color of `{name}` over the heights that are {who},
 /// by {label}.
@@ -49,7 +48,7 @@ fn {name}_height({}{}{}, view: vec3f{light}{parameters}) -> {} {{
             if percentile { "" } else { "mean: f32, deviation: f32, " },
             if surface.perturbed { "noise_mean: f32, noise_deviation: f32, " } else { "" },
             slopes(surface),
-            color_type(map),
+            color_type(map.channels()),
             statements(&shared(tier, surface))
         )
     }

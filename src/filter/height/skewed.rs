@@ -1,6 +1,6 @@
 //! The tier that reads a table over mean, deviation and skewness of the visible heights.
 
-use super::surface::{clamped, step_error, visible, Microsurface};
+use super::surface::{clamped, lambda, step_error, visible, Microsurface};
 use super::tier::{self, HeightTier, REACH};
 use super::variation;
 use crate::accuracy::{Bound, Ranges};
@@ -24,7 +24,7 @@ pub(crate) fn skewed(map: &ColorMap, colors: Colors, surface: Microsurface, rang
         .map(|(axis, span)| (1.0 - 1.0 / axis.count as f64) / span);
     let origin = 0.5 / means.count as f64 - per_mean * means.low;
     let [origin, per_mean, per_root] = [origin, per_mean, per_root].map(|value| number(value as f32));
-    let (statement, [mean, width]) = visible("heights_moments(seen + lit)", surface);
+    let (statement, [mean, width]) = visible(&format!("heights_moments({})", lambda(surface)), surface);
     let body = format!(
         "{}{statement}    return height_table({mean}, {width}, visible.z, {origin}, {per_mean}, {per_root}, table, \
          table_sampler){};\n",

@@ -55,6 +55,15 @@ pub(crate) fn shared(tier: HeightTier, surface: Microsurface) -> Vec<Shared> {
     shared
 }
 
+/// The expression of what hides heights: the Λ of the view and, where it casts shadows, that of the light.
+pub(crate) fn lambda(surface: Microsurface) -> &'static str {
+    if surface.shadowing {
+        "seen + lit"
+    } else {
+        "seen"
+    }
+}
+
 /// The statement that names `visible`: mean, deviation and maybe skewness of the visible heights, from an expression of
 /// those in the heights' own deviations; and the mean and the deviation of what is colored.
 ///

@@ -1,6 +1,6 @@
 //! The tier without a table: a term a knot over skewed heights.
 
-use super::surface::{clamped, step_error, visible, Microsurface};
+use super::surface::{clamped, lambda, step_error, visible, Microsurface};
 use super::tier::{rounded, texture_ranges, HeightTier};
 use super::variation;
 use crate::accuracy::{Bound, Ranges};
@@ -24,7 +24,7 @@ const RAMP: f64 = 2e-5;
 /// Those of C0 for the same colors.
 pub(crate) fn tails(map: &ColorMap, colors: Colors, surface: Microsurface, ranges: Ranges) -> Result<Filter, Error> {
     let below = texture_ranges(ranges);
-    let (statement, [mean, width]) = visible("heights_moments(seen + lit)", surface);
+    let (statement, [mean, width]) = visible(&format!("heights_moments({})", lambda(surface)), surface);
     let mut body = clamped(surface, ranges) + &statement;
     body += &if surface.perturbed {
         format!("    let tails = perturbed_tails({width}, visible.z, n);\n")
