@@ -5,6 +5,7 @@ use prefilter::reference::irradiance::{lambert, over};
 use prefilter::reference::slopes::Visible;
 use prefilter::{Colors, Irradiance, IrradianceTier, Scene};
 use spirv_tests::any;
+use spirv_tests::environments::GRACE;
 use spirv_tests::exports::ExportKernel;
 use spirv_tests::random::Random;
 
@@ -14,22 +15,9 @@ type Outcome = Result<(), Fault>;
 /// Radiance by order and degree, of red, green and blue.
 type Harmonics = [[f32; 3]; 9];
 
-/// Grace Cathedral.
+/// The eucalyptus grove.
 ///
 /// Source: Ramamoorthi and Hanrahan 2001, "An Efficient Representation for Irradiance Environment Maps", figure 2.
-const GRACE: Harmonics = [
-    [0.79, 0.44, 0.54],
-    [0.39, 0.35, 0.60],
-    [-0.34, -0.18, -0.27],
-    [-0.29, -0.06, 0.01],
-    [-0.11, -0.05, -0.12],
-    [-0.26, -0.22, -0.47],
-    [-0.16, -0.09, -0.15],
-    [0.56, 0.21, 0.14],
-    [0.21, -0.05, -0.30],
-];
-
-/// The eucalyptus grove, of the same source.
 const EUCALYPTUS: Harmonics = [
     [0.38, 0.43, 0.45],
     [0.29, 0.36, 0.41],

@@ -2,9 +2,10 @@
 //! rays through all of its heights.
 
 use prefilter::gpu::Device;
+use spirv_tests::imaging::region::Region;
 use spirv_tests::rough::judge::{judge, Extent, Judged, Panel, Row};
 use spirv_tests::rough::method::Method;
-use spirv_tests::rough::tally::{Quantity, Region};
+use spirv_tests::rough::tally::Quantity;
 use spirv_tests::rough::{table, Error};
 
 const EXTENT: Extent = Extent { size: [96, 48], strata: 16, seeds: 1 };

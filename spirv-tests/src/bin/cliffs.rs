@@ -3,10 +3,10 @@
 #![deny(missing_docs)]
 
 use clap::Parser;
-use indicatif::{ProgressBar, ProgressStyle};
 use prefilter::gpu::Device;
 use spirv_tests::cliffs::judge::{judge, Extent};
 use spirv_tests::cliffs::{page, table, Error};
+use spirv_tests::program::{bar, end};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -26,19 +26,13 @@ const FULL: Extent = Extent { size: [224, 112], strata: 16, places: 4, modeled: 
 const QUICK: Extent = Extent { size: [112, 56], strata: 16, places: 1, modeled: 211 };
 
 fn main() -> ExitCode {
-    match cliffs(&Arguments::parse()) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            eprintln!("error: {error}");
-            ExitCode::FAILURE
-        }
-    }
+    end(cliffs(&Arguments::parse()))
 }
 
 fn cliffs(arguments: &Arguments) -> Result<(), Error> {
     let extent = if arguments.quick { QUICK } else { FULL };
     let device = Device::new()?;
-    let bar = ProgressBar::new(extent.rows()).with_style(style());
+    let bar = bar(extent.rows(), "cliffs");
     let judged = judge(&device, extent, &|| bar.inc(1))?;
     bar.finish_and_clear();
     println!("{}", table::legend(device.label(), extent.size, extent.places));
@@ -47,10 +41,4 @@ fn cliffs(arguments: &Arguments) -> Result<(), Error> {
     let written = page::write(&arguments.out, &judged)?;
     println!("written: {}", written.map(|path| path.display().to_string()).join(", "));
     Ok(())
-}
-
-/// Rows and the time left.
-fn style() -> ProgressStyle {
-    let template = "cliffs   {bar:40} {percent:>3} %, {eta} left";
-    ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar())
 }

@@ -2,11 +2,11 @@
 #![deny(missing_docs)]
 
 use clap::Parser;
-use indicatif::{ProgressBar, ProgressStyle};
 use prefilter::gpu::Device;
 use spirv_tests::demo::input::Input;
 use spirv_tests::demo::judge::{judge, samples, Judged, Sizes};
 use spirv_tests::demo::{page, table, Error};
+use spirv_tests::program::{bar, end};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -28,13 +28,7 @@ const FULL: Sizes = Sizes { still: [512, 384], moving: [192, 144], frames: 12 };
 const QUICK: Sizes = Sizes { still: [128, 128], moving: [64, 64], frames: 8 };
 
 fn main() -> ExitCode {
-    match demo(&Arguments::parse()) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            eprintln!("error: {error}");
-            ExitCode::FAILURE
-        }
-    }
+    end(demo(&Arguments::parse()))
 }
 
 fn demo(arguments: &Arguments) -> Result<(), Error> {
@@ -42,7 +36,7 @@ fn demo(arguments: &Arguments) -> Result<(), Error> {
     let device = Device::new()?;
     let inputs = Input::all()?;
     let total = inputs.len() as u64 * (samples(sizes) + samples(SHEET));
-    let bar = ProgressBar::new(total).with_style(style());
+    let bar = bar(total, "");
     let (mut all, mut sheet): (Vec<Judged>, Vec<Judged>) = (Vec::new(), Vec::new());
     for input in &inputs {
         bar.set_message(input.name);
@@ -57,12 +51,6 @@ fn demo(arguments: &Arguments) -> Result<(), Error> {
     page::write(&arguments.out, device.label(), sizes, &all, &sheet)?;
     println!("written: {}", shown(&arguments.out));
     Ok(())
-}
-
-/// Samples, the time left and the input at work.
-fn style() -> ProgressStyle {
-    let template = "{msg:8} {bar:40} {percent:>3} %, {eta} left";
-    ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar())
 }
 
 /// The files to look at.

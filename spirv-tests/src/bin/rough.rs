@@ -3,8 +3,8 @@
 #![deny(missing_docs)]
 
 use clap::Parser;
-use indicatif::{ProgressBar, ProgressStyle};
 use prefilter::gpu::Device;
+use spirv_tests::program::{bar, end};
 use spirv_tests::rough::judge::{judge, Extent};
 use spirv_tests::rough::{page, table, Error};
 use std::path::PathBuf;
@@ -26,19 +26,13 @@ const FULL: Extent = Extent { size: [246, 112], strata: 16, seeds: 4 };
 const QUICK: Extent = Extent { size: [123, 56], strata: 16, seeds: 1 };
 
 fn main() -> ExitCode {
-    match rough(&Arguments::parse()) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            eprintln!("error: {error}");
-            ExitCode::FAILURE
-        }
-    }
+    end(rough(&Arguments::parse()))
 }
 
 fn rough(arguments: &Arguments) -> Result<(), Error> {
     let extent = if arguments.quick { QUICK } else { FULL };
     let device = Device::new()?;
-    let bar = ProgressBar::new(extent.rows()).with_style(style());
+    let bar = bar(extent.rows(), "rough");
     let judged = judge(&device, extent, &|| bar.inc(1))?;
     bar.finish_and_clear();
     println!("{}", table::legend(device.label(), extent.size, extent.seeds));
@@ -46,10 +40,4 @@ fn rough(arguments: &Arguments) -> Result<(), Error> {
     let written = page::write(&arguments.out, &judged)?;
     println!("written: {}", written.map(|path| path.display().to_string()).join(", "));
     Ok(())
-}
-
-/// Rows and the time left.
-fn style() -> ProgressStyle {
-    let template = "rough    {bar:40} {percent:>3} %, {eta} left";
-    ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar())
 }

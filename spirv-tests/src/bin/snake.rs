@@ -3,8 +3,8 @@
 #![deny(missing_docs)]
 
 use clap::Parser;
-use indicatif::{ProgressBar, ProgressStyle};
 use prefilter::gpu::Device;
+use spirv_tests::program::{bar, end};
 use spirv_tests::snake::judge::{judge, Extent};
 use spirv_tests::snake::{page, table, Error};
 use std::path::PathBuf;
@@ -26,19 +26,13 @@ const FULL: Extent = Extent { size: [246, 168], strata: [8, 16, 32], seeds: 4 };
 const QUICK: Extent = Extent { size: [126, 84], strata: [8, 16, 32], seeds: 1 };
 
 fn main() -> ExitCode {
-    match snake(&Arguments::parse()) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            eprintln!("error: {error}");
-            ExitCode::FAILURE
-        }
-    }
+    end(snake(&Arguments::parse()))
 }
 
 fn snake(arguments: &Arguments) -> Result<(), Error> {
     let extent = if arguments.quick { QUICK } else { FULL };
     let device = Device::new()?;
-    let bar = ProgressBar::new(extent.rays()).with_style(style());
+    let bar = bar(extent.rays(), "snake");
     let judged = judge(&device, extent, &|rays| bar.inc(rays))?;
     bar.finish_and_clear();
     println!("{}", table::legend(device.label(), extent.size, extent.seeds));
@@ -46,10 +40,4 @@ fn snake(arguments: &Arguments) -> Result<(), Error> {
     let written = page::write(&arguments.out, &judged)?;
     println!("written: {}", written.map(|path| path.display().to_string()).join(", "));
     Ok(())
-}
-
-/// Rays and the time left.
-fn style() -> ProgressStyle {
-    let template = "snake    {bar:40} {percent:>3} %, {eta} left";
-    ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar())
 }

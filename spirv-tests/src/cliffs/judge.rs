@@ -5,15 +5,19 @@ use super::known::{Known, Tracer};
 use super::method::{Method, Renderer};
 use super::model::{self, Taps};
 use super::scene::{self, Materials, LIGHTS, PLACES};
-use super::tally::{Errors, Region};
+use super::tally::Errors;
 use super::truth::Scenery;
 use super::Error;
 use crate::imaging::measure::errors;
 use crate::imaging::picture::Picture;
 use crate::imaging::pixel::Pixel;
+use crate::imaging::region::Region;
 use crate::imaging::taps::ALL_TAPS;
 use crate::imaging::view::View;
 use prefilter::gpu::Device;
+
+/// The share of the variance of slopes from which a pixel that loses it is far.
+const FAR: f64 = 0.9;
 
 /// Strata an axis at which brute force is measured.
 pub const BRUTE: [usize; 4] = [1, 2, 4, 8];
@@ -161,5 +165,5 @@ impl<'a> Studio<'a> {
 fn regions(known: &[Known], slopes: [f64; 2]) -> Vec<Region> {
     let lost = |tap: &Known| f64::from(tap.covariance[0] + tap.covariance[2]) / (slopes[0] + slopes[1]);
     let mean = |taps: &[Known]| taps.iter().map(lost).sum::<f64>() / taps.len() as f64;
-    known.chunks_exact(ALL_TAPS).map(|taps| Region::of(mean(taps))).collect()
+    known.chunks_exact(ALL_TAPS).map(|taps| Region::of(mean(taps), FAR)).collect()
 }

@@ -3,10 +3,10 @@
 use super::judge::{Judged, Panel, Row};
 use super::method::Method;
 use super::scene;
-use super::tally::Region;
 use crate::imaging::canvas::{Canvas, Letters};
 use crate::imaging::measure::errors;
 use crate::imaging::picture::Picture;
+use crate::imaging::region::Region;
 use crate::imaging::view::{Lens, View};
 
 /// The error that error maps show brightest.

@@ -2,40 +2,7 @@
 
 use crate::gap::figure::Figure;
 use crate::imaging::measure::{self, Deviation};
-
-/// How much of the ground a pixel resolves.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Region {
-    /// The footprint loses less than half of the variance of slopes.
-    Near,
-    /// It loses more.
-    Between,
-    /// It loses all but a tenth: the filter alone makes the light.
-    Far,
-}
-
-impl Region {
-    /// All of them.
-    pub const ALL: [Self; 3] = [Self::Near, Self::Between, Self::Far];
-
-    /// The region of a pixel by the share of the variance of slopes that it loses.
-    pub fn of(share: f64) -> Self {
-        match share {
-            lost if lost < 0.5 => Self::Near,
-            lost if lost < 0.9 => Self::Between,
-            _ => Self::Far,
-        }
-    }
-
-    /// The name in tables.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Near => "near",
-            Self::Between => "between",
-            Self::Far => "far",
-        }
-    }
-}
+use crate::imaging::region::Region;
 
 /// The errors of a picture, pixel by pixel.
 #[derive(Clone, Debug, Default)]

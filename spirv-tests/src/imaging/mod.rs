@@ -5,6 +5,7 @@ pub mod canvas;
 pub mod measure;
 pub mod picture;
 pub mod pixel;
+pub mod region;
 pub mod relief;
 pub mod taps;
 pub mod vector;

@@ -5,14 +5,18 @@ use super::method::{Method, Renderer, Shown};
 use super::relief::relief;
 use super::scene::{self, LIGHTS};
 use super::surface::Surface;
-use super::tally::{Quantity, Region, Tally};
+use super::tally::{Quantity, Tally};
 use super::truth::{Scenery, Seen};
 use super::Error;
 use crate::gap::figure::Figure;
 use crate::imaging::pixel::Pixel;
+use crate::imaging::region::Region;
 use crate::imaging::taps::ALL_TAPS;
 use crate::imaging::view::View;
 use prefilter::gpu::Device;
+
+/// The share of the variance of heights from which a pixel that loses it is far.
+const FAR: f64 = 0.99;
 
 /// Lights.
 const COUNT: usize = LIGHTS.len();
@@ -193,7 +197,7 @@ fn panel(
 
 /// Adds up the errors of a panel.
 fn enter(row: &mut Row, panel: &Panel, halves: &[Vec<Seen<COUNT>>; 2], known: &[[Known<COUNT>; ALL_TAPS]]) {
-    let regions: Vec<Region> = known.iter().map(|known| Region::of(known[0].deviation)).collect();
+    let regions: Vec<Region> = known.iter().map(|known| Region::of(known[0].deviation.powi(2), FAR)).collect();
     for (tallies, shown) in row.methods.iter_mut().zip(&panel.shown) {
         let mut tally = Tally::default();
         for ((shown, truth), region) in shown.iter().zip(&panel.truth).zip(&regions) {

@@ -3,9 +3,10 @@
 use super::judge::{Judged, Look, Row};
 use super::method::Method;
 use super::scene::{self, LIGHTS};
-use super::tally::{Quantity, Region};
+use super::tally::Quantity;
 use crate::imaging::canvas::{Canvas, Letters};
 use crate::imaging::picture::Picture;
+use crate::imaging::region::Region;
 
 const PAPER: [u8; 3] = [255; 3];
 const INK: [u8; 3] = [30, 34, 40];

@@ -3,7 +3,8 @@
 use super::judge::{Judged, Row};
 use super::method::Method;
 use super::scene::{self, LIGHTS};
-use super::tally::{Quantity, Region};
+use super::tally::Quantity;
+use crate::imaging::region::Region;
 use std::fmt::Write;
 
 /// Root mean square errors of a row for the terminal.

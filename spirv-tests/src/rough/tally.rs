@@ -1,6 +1,7 @@
 //! Sums of squared errors, by what is judged and by how much of the surface a pixel resolves.
 
 use super::judge::Look;
+use crate::imaging::region::Region;
 
 /// What is judged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -26,40 +27,6 @@ impl Quantity {
             Self::Lit => "lit",
             Self::Light => "light",
             Self::Share => "share",
-        }
-    }
-}
-
-/// How much of the surface a pixel resolves.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Region {
-    /// The footprint loses less than half of the variance of heights.
-    Near,
-    /// It loses more.
-    Between,
-    /// It loses all but a hundredth: the filter alone makes the color.
-    Far,
-}
-
-impl Region {
-    /// All of them.
-    pub const ALL: [Self; 3] = [Self::Near, Self::Between, Self::Far];
-
-    /// The region of a pixel by the deviation that it loses, of 1.
-    pub fn of(deviation: f64) -> Self {
-        match deviation * deviation {
-            lost if lost < 0.5 => Self::Near,
-            lost if lost < 0.99 => Self::Between,
-            _ => Self::Far,
-        }
-    }
-
-    /// The name in tables.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Near => "near",
-            Self::Between => "between",
-            Self::Far => "far",
         }
     }
 }

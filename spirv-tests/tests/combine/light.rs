@@ -7,24 +7,10 @@ use prefilter::reference::combine::{mean, node};
 use prefilter::reference::slopes::Visible;
 use prefilter::reference::texture::PiecewiseLinear;
 use prefilter::{ColorMap, Irradiance, IrradianceTier, Microsurface, Module, Reflectance, Scene};
+use spirv_tests::environments::GRACE;
 use spirv_tests::random::Random;
 
 use crate::{run, Fault, Outcome};
-
-/// Grace Cathedral.
-///
-/// Source: Ramamoorthi and Hanrahan 2001, "An Efficient Representation for Irradiance Environment Maps", figure 2.
-const GRACE: [[f32; 3]; 9] = [
-    [0.79, 0.44, 0.54],
-    [0.39, 0.35, 0.60],
-    [-0.34, -0.18, -0.27],
-    [-0.29, -0.06, 0.01],
-    [-0.11, -0.05, -0.12],
-    [-0.26, -0.22, -0.47],
-    [-0.16, -0.09, -0.15],
-    [0.56, 0.21, 0.14],
-    [0.21, -0.05, -0.30],
-];
 
 /// A surface, seen and lit from above the horizon of the mean plane.
 struct Case {
