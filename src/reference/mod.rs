@@ -8,6 +8,7 @@ pub mod footprint;
 pub mod height;
 pub mod heights;
 pub mod irradiance;
+pub mod mixture;
 pub mod moments;
 pub mod normal;
 pub mod normals;

@@ -37,6 +37,7 @@ macro_rules! shelf {
 /// Every file of the shelf, rooms in the order of their dependencies, files by name.
 pub const FILES: &[File] = shelf![
     "math/grid.wgsl",
+    "math/mixture.wgsl",
     "math/normal.wgsl",
     "footprint/curvature.wgsl",
     "footprint/footprint.wgsl",

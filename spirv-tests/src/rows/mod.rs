@@ -10,6 +10,7 @@ mod grid;
 mod height;
 mod heights;
 mod irradiance;
+mod mixture;
 mod moments;
 mod normal;
 mod normals;
@@ -151,6 +152,7 @@ pub fn all() -> Vec<Row> {
         height::rows(),
         heights::rows(),
         irradiance::rows(),
+        mixture::rows(),
         moments::rows(),
         normal::rows(),
         normals::rows(),
