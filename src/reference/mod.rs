@@ -14,6 +14,7 @@ pub mod normal;
 pub mod normals;
 pub mod percentile;
 pub mod perturbed;
+pub mod pulse;
 pub mod quadrature;
 pub mod roughness;
 pub mod rounds;

@@ -39,6 +39,7 @@ pub const FILES: &[File] = shelf![
     "math/grid.wgsl",
     "math/mixture.wgsl",
     "math/normal.wgsl",
+    "math/pulse.wgsl",
     "footprint/curvature.wgsl",
     "footprint/footprint.wgsl",
     "footprint/taps.wgsl",

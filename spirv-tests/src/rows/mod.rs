@@ -16,6 +16,7 @@ mod normal;
 mod normals;
 mod percentile;
 mod perturbed;
+mod pulse;
 mod rice;
 mod roughness;
 mod rounds;
@@ -158,6 +159,7 @@ pub fn all() -> Vec<Row> {
         normals::rows(),
         percentile::rows(),
         perturbed::rows(),
+        pulse::rows(),
         rice::rows(),
         roughness::rows(),
         rounds::rows(),

@@ -1,0 +1,3 @@
+//! Patterns: steps, pulses and what they repeat, over footprints.
+
+mod pulses;
