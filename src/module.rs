@@ -16,6 +16,8 @@ use crate::{probe, Error};
 pub struct Module {
     pub(crate) name: String,
     pub(crate) glue: String,
+    /// Declarations behind the glue that are its user's.
+    pub(crate) foreign: String,
     pub(crate) linked: Shader,
     pub(crate) exports: Vec<Export>,
     pub(crate) tables: Vec<Table>,

@@ -193,8 +193,10 @@ impl Scene {
     }
 
     /// Where the filter's statistics come from: those of values and heights by [`Driver::Moments`], of slopes by
-    /// [`Driver::SlopeMoments`]. Exports `NAME_color(position, dpdx, dpdy, …)` besides the filter, which takes behind
-    /// the derivatives what the filter does behind its statistics, then the driver's textures, then the filter's.
+    /// [`Driver::SlopeMoments`], of either by functions such as [`Driver::Custom`]. Exports `NAME_color(position, dpdx,
+    /// dpdy, …)` besides the filter, which takes behind the derivatives what the filter does behind its statistics,
+    /// then the driver's textures, then the filter's; and of a function that gives values
+    /// `NAME_statistics(position, across, along)`.
     ///
     /// ```
     /// use prefilter::{ColorMap, Driver, Moments, Scene, Taps};
@@ -236,7 +238,7 @@ impl Scene {
         name::check(&self.name)?;
         self.chosen_ranges().check()?;
         self.accuracy.map_or(Ok(()), |accuracy| accuracy.check())?;
-        self.driver.map_or(Ok(()), |driver| driver.check())?;
+        self.driver.as_ref().map_or(Ok(()), |driver| driver.check())?;
         if let Some(combination) = &self.combination {
             self.combines()?;
             return self.combined(combination);
@@ -247,6 +249,7 @@ impl Scene {
             name: self.name.clone(),
             exports: self.exports(&chosen.text.glue),
             glue: chosen.text.glue,
+            foreign: self.foreign(),
             linked: chosen.linked,
             tables: chosen.filter.tables,
             explanation,

@@ -160,15 +160,27 @@ pub fn link(modules: &[&Module], text: &str) -> Result<Shader, Error> {
         }
         whole.push_str(&module.glue);
     }
+    for module in modules {
+        add_foreign(&mut whole, &module.foreign);
+    }
     let path = "shader.wgsl";
     let linked = prefilter_wgsl::link(&whole).map_err(|collision| Error::Collision { path: path.into(), collision })?;
     modules.iter().try_for_each(|module| hides_nothing(path, text, module))?;
     Shader::new(path, linked)
 }
 
+/// Adds the declarations of a text whose names are not declared yet.
+fn add_foreign(whole: &mut String, text: &str) {
+    for declaration in prefilter_wgsl::declarations(text) {
+        if !prefilter_wgsl::declarations(whole).iter().any(|known| known.name == declaration.name) {
+            whole.push_str(&format!("\n{}\n", declaration.text));
+        }
+    }
+}
+
 /// Refuses a text that declares a built-in which a module uses: the module would call the text's.
 fn hides_nothing(path: &str, text: &str, module: &Module) -> Result<(), Error> {
-    let glue = prefilter_wgsl::declarations(&module.glue);
+    let glue = [prefilter_wgsl::declarations(&module.glue), prefilter_wgsl::declarations(&module.foreign)].concat();
     let used: BTreeSet<&str> = glue.iter().flat_map(|declaration| declaration.free()).collect();
     let built_in = |name: &str| used.contains(name) && !glue.iter().any(|declaration| declaration.name == name);
     match prefilter_wgsl::declarations(text).into_iter().find(|declaration| built_in(declaration.name)) {

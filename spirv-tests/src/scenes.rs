@@ -1,5 +1,7 @@
 //! The scenes whose modules are snapshots, and go through every backend and validator.
 
+mod functions;
+
 use prefilter::{
     Accuracy, ColorMap, Colors, Combination, Driver, HeightTier, Irradiance, IrradianceTier, JointMap, Kernel,
     Microsurface, Moments, Pixel, Ranges, Reflectance, Scene, SlopeDomain, SlopeMap, SlopeMoments, SlopeTaps,
@@ -16,7 +18,7 @@ type Result<T> = std::result::Result<T, Box<dyn std::error::Error + Send + Sync>
 /// None that the tests have seen: the maps are fixed.
 pub fn all() -> Result<Vec<(&'static str, Scene)>> {
     let seen = [slopes()?, slope_maps()?, steepnesses()?, irradiances()?, driven_slopes()?].concat();
-    Ok([textures()?, heights()?, seen, combinations()?].concat())
+    Ok([textures()?, heights()?, seen, combinations()?, functions::all()?].concat())
 }
 
 /// The scenes of values.

@@ -110,7 +110,7 @@ fn scenes_return() -> Result<(), Box<dyn StdError + Send + Sync>> {
             let high = over.map_or(high.clone().accuracy(accuracy), |tier| high.tier(tier));
             let scene = Scene::new("extreme").texture(map).colors(colors);
             let scene = tier.map_or(scene.clone().accuracy(accuracy), |tier| scene.tier(tier));
-            let driven = [scene.clone().driver(driver), scene.clone().ranges(ranges).driver(driver)];
+            let driven = [scene.clone().driver(driver.clone()), scene.clone().ranges(ranges).driver(driver.clone())];
             let plain = [scene.clone(), scene.ranges(ranges), shares];
             let heights = [high.clone().driver(driver), high.clone(), high.ranges(ranges)];
             for scene in driven.iter().chain(&plain).chain(&heights) {

@@ -1,5 +1,7 @@
 //! What a footprint knows of the function that drives a material: its mean and deviation there, or those of its slopes.
 
+pub mod custom;
+pub mod function;
 pub mod moment_mipmap;
 pub mod moments;
 mod pyramid;
@@ -8,13 +10,16 @@ pub mod slope_mipmap;
 pub mod slope_moments;
 pub mod taps;
 
+use custom::Custom;
+use function::Function;
 use moments::Moments;
 use slope_moments::SlopeMoments;
+use taps::Taps;
 
 use crate::Error;
 
 /// Where a scene's statistics come from; a scene without one takes them as arguments.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum Driver {
@@ -22,17 +27,20 @@ pub enum Driver {
     Moments(Moments),
     /// Mean and covariance of the slopes of a map of normals or heights: for slopes, steepness and irradiance.
     SlopeMoments(SlopeMoments),
+    /// A function of your own: for values and heights, and for slopes where it knows them.
+    Custom(Custom),
 }
 
 impl Driver {
     /// Whether the description can be used.
     ///
     /// # Errors
-    /// [`Error::Value`] for a number outside its range.
+    /// [`Error::Value`] for a number outside its range, [`Error::Conflict`] for a function that is not as needed.
     pub(crate) fn check(&self) -> Result<(), Error> {
         match self {
             Self::Moments(moments) => moments.pixel.check(),
             Self::SlopeMoments(moments) => moments.pixel.check(),
+            Self::Custom(custom) => custom.check(),
         }
     }
 
@@ -44,14 +52,35 @@ impl Driver {
             }
             Self::Moments(_) => "mean and deviation of a value, `Driver::Moments`",
             Self::SlopeMoments(_) => "mean and covariance of slopes, `Driver::SlopeMoments`",
+            Self::Custom(custom) if custom.knows_slopes() => "values, heights and slopes, `Driver::Custom`",
+            Self::Custom(_) => "values and heights without slopes, `Driver::Custom`",
         }
     }
 
-    /// Turns of the loop in `NAME_color`.
-    pub(crate) fn trips(&self) -> usize {
+    /// Whether it is a function that knows mean and covariance of its slopes.
+    pub(crate) fn knows_slopes(&self) -> bool {
         match self {
-            Self::Moments(moments) => moments.taps.count() as usize,
-            Self::SlopeMoments(moments) => moments.taps.count() as usize,
+            Self::Moments(_) | Self::SlopeMoments(_) => false,
+            Self::Custom(custom) => custom.knows_slopes(),
+        }
+    }
+
+    /// What it says of a footprint where it is a function of the position, with its slopes or without.
+    pub(crate) fn function(&self, slopes: bool) -> Option<Function> {
+        match self {
+            Self::Moments(_) | Self::SlopeMoments(_) => None,
+            Self::Custom(custom) => Some(custom.function(slopes)),
+        }
+    }
+
+    /// Turns of the loops in the functions that it writes, by what follows the scene's name in theirs.
+    pub(crate) fn trips(&self) -> Vec<(&'static str, usize)> {
+        let taps = |taps: Taps| ("color", taps.count() as usize);
+        let of = |function: Function| vec![taps(function.taps), (function.suffix(), function.trips)];
+        match self {
+            Self::Moments(moments) => vec![taps(moments.taps)],
+            Self::SlopeMoments(moments) => vec![taps(moments.taps)],
+            _ => [false, true].into_iter().filter_map(|slopes| self.function(slopes)).flat_map(of).collect(),
         }
     }
 
@@ -60,6 +89,15 @@ impl Driver {
         match self {
             Self::Moments(moments) => moments::gap(moments.taps),
             Self::SlopeMoments(moments) => slope_moments::gap(moments.taps),
+            _ => self.function(false).map_or(String::new(), |function| function.gap),
+        }
+    }
+
+    /// WGSL that it needs and that is neither of the shelf nor the module's own: a text of yours.
+    pub(crate) fn foreign(&self) -> &str {
+        match self {
+            Self::Custom(custom) => &custom.text,
+            _ => "",
         }
     }
 
@@ -68,6 +106,10 @@ impl Driver {
         match self {
             Self::Moments(moments) => moments::glue(called, moments),
             Self::SlopeMoments(moments) => slope_moments::glue(called, moments),
+            _ => {
+                let slopes = self.knows_slopes() && called.function != "texture";
+                self.function(slopes).map_or(String::new(), |function| function.glue(called))
+            }
         }
     }
 }

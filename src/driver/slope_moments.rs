@@ -51,17 +51,20 @@ pub(crate) fn gap(taps: Taps) -> String {
 }
 
 /// A tap's area in the picture for a unit of area of the mesh; where all taps are hidden they count alike.
-const AREA: &str = "max(slopes_area(view, m.mean, slopes_factor(view, m.covariance)), 1e-20)";
+pub(super) fn area(mean: &str, covariance: &str) -> String {
+    format!("max(slopes_area(view, {mean}, slopes_factor(view, {covariance})), 1e-20)")
+}
 
 /// The WGSL of `NAME_color`, which drives a filter by the moments of a map's slopes.
 pub(crate) fn glue(called: &Called<'_>, moments: &SlopeMoments) -> String {
     let Called { name, function, color_type, given, parameters, .. } = *called;
+    let area = area("m.mean", "m.covariance");
     let reader = Reader {
         image: "slopes",
         before: "",
         read: "slope_moments_read(slopes, slopes_cross, slopes_sampler",
         statistics: "m.mean, m.covariance",
-        weight: given.contains(" view: ").then_some(AREA),
+        weight: given.contains(" view: ").then_some(area.as_str()),
     };
     let (points, body) = reader.body(called, moments.taps, moments.pixel);
     format!(

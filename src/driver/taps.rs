@@ -82,6 +82,32 @@ impl Pixel {
     }
 }
 
+/// Two vectors whose squares sum to the pixel's footprint, from the position's screen derivatives: a Cholesky factor of
+/// the pixel's filter.
+pub(super) fn vectors(pixel: Pixel, position_type: &str) -> String {
+    let limited = |derivative: &str| format!("clamp({derivative}, {position_type}(-1e9), {position_type}(1e9))");
+    let (right, down) = (limited("dpdx"), limited("dpdy"));
+    match pixel {
+        Pixel::Round(deviation) => format!(
+            "    let across = {right} * {deviation:?};
+    let along = {down} * {deviation:?};
+"
+        ),
+        Pixel::Covariance([xx, xy, yy]) => {
+            let [xx, xy, yy] = [xx, xy, yy].map(f64::from);
+            let column = xx.max(1e-30).sqrt();
+            let shear = xy / column;
+            let rest = (yy - shear * shear).max(0.0).sqrt();
+            let [column, shear, rest] = [column, shear, rest].map(|factor| factor as f32);
+            format!(
+                "    let across = {right} * {column:?} + {down} * {shear:?};
+    let along = {down} * {rest:?};
+"
+            )
+        }
+    }
+}
+
 /// What of an image a driver reads for a point, and what it makes of that.
 pub(super) struct Reader<'a> {
     /// The image, whose size scales derivatives.
@@ -131,22 +157,14 @@ impl Reader<'_> {
         )
     }
 
-    /// The body for several taps; the number of turns is a literal, so that costs can be counted.
+    /// The body for several taps.
     fn taps_loop(&self, called: &Called<'_>, taps: u32) -> String {
-        let (color_type, call, read) = (called.color_type, called.call(self.statistics), self.read);
-        let (total, sum, mean) = match self.weight {
-            None => (String::new(), "        sum += place.z * color;\n".to_owned(), "sum"),
-            Some(weight) => (
-                "    var total = 0.0;\n".to_owned(),
-                format!(
-                    "        let weight = place.z * {weight};
-        sum += weight * color;
-        total += weight;
-"
-                ),
-                "sum / total",
-            ),
-        };
+        let read = format!(
+            "let at = position + place.x * along + place.y * across;
+        let m = {}, at, tap_footprint);",
+            self.read
+        );
+        let average = averaged(taps, called.color_type, &read, self.weight, &called.call(self.statistics));
         format!(
             "    let deviations = footprint_deviations(footprint);
     let axis = footprint_direction(footprint);
@@ -154,21 +172,41 @@ impl Reader<'_> {
     let spread = sqrt(taps_spread(deviations.x, deviations.y, {taps}.0));
     let along = axis * spread.x / size;
     let across = vec2f(-axis.y, axis.x) * spread.y / size;
-    var sum = {color_type}();
+{average}"
+        )
+    }
+}
+
+/// The loop that averages a color over several taps, behind the statements that find what it is of at a `place`; the
+/// number of turns is a literal, so that costs can be counted.
+pub(super) fn averaged(taps: u32, color_type: &str, found: &str, weight: Option<&str>, color: &str) -> String {
+    let (total, sum, mean) = match weight {
+        None => (String::new(), "        sum += place.z * color;\n".to_owned(), "sum"),
+        Some(weight) => (
+            "    var total = 0.0;\n".to_owned(),
+            format!(
+                "        let weight = place.z * {weight};
+        sum += weight * color;
+        total += weight;
+"
+            ),
+            "sum / total",
+        ),
+    };
+    format!(
+        "    var sum = {color_type}();
 {total}    var low = {color_type}(3e38);
     var high = {color_type}(-3e38);
     for (var tap = 0; tap < {taps}; tap++) {{
         let place = taps_place(f32(tap), {taps}.0);
-        let at = position + place.x * along + place.y * across;
-        let m = {read}, at, tap_footprint);
-        let color = {call};
+        {found}
+        let color = {color};
 {sum}        low = min(low, color);
         high = max(high, color);
     }}
     return clamp({mean}, low, high); // rounded weights may add up to more than one
 "
-        )
-    }
+    )
 }
 
 #[cfg(test)]

@@ -162,9 +162,19 @@ impl Scene {
     /// The whole text, validated.
     pub(super) fn linked(&self, glue: &str) -> Result<Shader, Error> {
         let path = format!("{}.wgsl", self.name);
-        prefilter_wgsl::link(glue)
+        prefilter_wgsl::link(&format!("{glue}{}", self.foreign()))
             .map_err(|collision| Error::Collision { path: path.clone(), collision })
             .and_then(|text| Shader::new(&path, text))
+    }
+
+    /// What stands behind the glue that is not of the shelf: the text of a driver.
+    pub(super) fn foreign(&self) -> String {
+        let text = self.driver.as_ref().map_or("", |driver| driver.foreign());
+        if text.is_empty() {
+            String::new()
+        } else {
+            format!("\n{}\n", text.trim())
+        }
     }
 
     /// The cost of the most expensive export.
@@ -172,7 +182,8 @@ impl Scene {
         let mut trips = BTreeMap::from(LOOPS.map(|name| (name.to_owned(), trips)));
         trips.extend(SIDES.map(|name| (name.to_owned(), 2)));
         trips.extend(NODES.map(|export| (format!("{}_{export}", self.name), combine::NODES)));
-        trips.extend(self.driver.map(|driver| (format!("{}_color", self.name), driver.trips())));
+        let driven = self.driver.iter().flat_map(|driver| driver.trips());
+        trips.extend(driven.map(|(function, turns)| (format!("{}_{function}", self.name), turns)));
         let (module, info) = linked.parsed();
         let table_bytes = tables.iter().map(Table::bytes).sum();
         let calls = exports.iter().filter_map(|export| cost::call(module, info, &export.name, &trips));
@@ -182,7 +193,7 @@ impl Scene {
     /// The export of the driver, where there is one, which calls `NAME_FUNCTION`; `given` are the parameters of that
     /// between the driver's statistics and the tables, each with a comma in front.
     pub(super) fn driven(&self, function: &str, color_type: &str, given: &str, tables: &[Table]) -> String {
-        let Some(driver) = self.driver else { return String::new() };
+        let Some(driver) = &self.driver else { return String::new() };
         let called = Called {
             name: &self.name,
             function,
@@ -206,7 +217,7 @@ impl Scene {
         glue + &filter.body + "}\n"
     }
 
-    /// Every function of the glue but the C0 that heights stand on.
+    /// Every function of the glue but the C0 that heights stand on, and what returns a structure.
     pub(super) fn exports(&self, glue: &str) -> Vec<Export> {
         let export = |declaration: prefilter_wgsl::Declaration<'_>| Export {
             name: declaration.name.to_owned(),
@@ -215,7 +226,7 @@ impl Scene {
         };
         let inner = self.texture.is_none().then(|| format!("{}_texture", self.name));
         let all = prefilter_wgsl::declarations(glue).into_iter().map(export);
-        all.filter(|export| Some(&export.name) != inner.as_ref()).collect()
+        all.filter(|export| Some(&export.name) != inner.as_ref() && export.result() != "statistics_surface").collect()
     }
 }
 

@@ -67,7 +67,8 @@ impl Scene {
         let cost = self.cost(&linked, &exports, &tables, trips);
         let bound = combined.bound(expression);
         let explanation = self.explain_combined(&combined.layers, bound, cost);
-        Ok(Module { name: self.name.clone(), exports, glue, linked, tables, explanation, bound, cost })
+        let (name, foreign) = (self.name.clone(), String::new());
+        Ok(Module { name, exports, glue, foreign, linked, tables, explanation, bound, cost })
     }
 }
 

@@ -30,7 +30,7 @@ impl Scene {
         for other in passed {
             let _ = writeln!(text, "  passed  {}: error {}; {}", other.label, described(other), other.cost);
         }
-        let gap = match (chosen.over, self.driver) {
+        let gap = match (chosen.over, &self.driver) {
             (Over::Values, None) => UNDRIVEN.to_owned(),
             (Over::Values, Some(driver)) => driver.gap(),
             (Over::Heights(_), driver) => driven(surface::gap(self.microsurface, self.percentile.is_some()), driver),
@@ -174,8 +174,8 @@ const INDEPENDENT: &str =
 const UNDRIVEN: &str = "how far a pixel's values are from a normal distribution of that mean and deviation";
 
 /// A filter's gap, and its driver's behind it.
-fn driven(gap: String, driver: Option<Driver>) -> String {
-    driver.map_or(gap.clone(), |driver| format!("{gap};\n    {}", driver.gap()))
+fn driven(gap: String, driver: &Option<Driver>) -> String {
+    driver.as_ref().map_or(gap.clone(), |driver| format!("{gap};\n    {}", driver.gap()))
 }
 
 /// Whether the bound is that of a distribution and of a map over it.

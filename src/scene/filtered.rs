@@ -45,14 +45,18 @@ impl std::fmt::Display for Filtered<'_> {
 
 impl Filtered<'_> {
     /// Whether a driver gives the statistics that are needed.
-    fn driven_by(self, driver: Driver) -> bool {
+    fn driven_by(self, driver: &Driver) -> bool {
         match driver {
             Driver::Moments(Moments { slopes: true, .. }) => matches!(self, Self::Height(_)),
             Driver::Moments(_) => matches!(self, Self::Texture(_) | Self::Height(_)),
-            Driver::SlopeMoments(_) => {
-                matches!(self, Self::Slope(_) | Self::SlopeMap(_) | Self::Steepness(_) | Self::Irradiance(_))
-            }
+            Driver::SlopeMoments(_) => self.of_slopes(),
+            _ => matches!(self, Self::Texture(_) | Self::Height(_)) || driver.knows_slopes() && self.of_slopes(),
         }
+    }
+
+    /// Whether it is slopes that are filtered.
+    fn of_slopes(self) -> bool {
+        matches!(self, Self::Slope(_) | Self::SlopeMap(_) | Self::Steepness(_) | Self::Irradiance(_))
     }
 }
 
@@ -136,7 +140,7 @@ impl Scene {
         let ranged = mapped || matches!(filtered, F::SlopeMap(_) | F::Steepness(_));
         let irradiance_tier = self.irradiance_tier.filter(|_| !matches!(filtered, F::Irradiance(_)));
         let hidden = !heights && !percentiles && self.microsurface != Microsurface::default();
-        let driver = self.driver.filter(|driver| !filtered.driven_by(*driver));
+        let driver = self.driver.as_ref().filter(|driver| !filtered.driven_by(driver));
         let settings = [
             driver.map(|driver| format!("a driver that gives {}", driver.gives())),
             self.tier.filter(|_| !mapped).map(|tier| format!("a color map's tier, {tier}")),

@@ -52,6 +52,7 @@ pub const FILES: &[File] = shelf![
     "visibility/visibility.wgsl",
     "driver/moments.wgsl",
     "driver/slope_moments.wgsl",
+    "driver/statistics.wgsl",
     "filter/combine.wgsl",
     "filter/height.wgsl",
     "filter/irradiance.wgsl",

@@ -29,6 +29,15 @@ pub(super) fn rows() -> Vec<Row> {
             [(x[0], single.covariance[0]), (x[1], single.covariance[2])].map(|(all, own)| (all * all - own).max(0.0))
         })
         .only_where(ordered),
+        Row::new("taps_shares", |x| {
+            // A point counts as a line.
+            let (major, minor) = if x[0] > 0.0 { (x[0], x[1]) } else { (1.0, 0.0) };
+            let Tap { covariance: [along, _, across], .. } = tap([1.0, 0.0], major, minor, x[2]);
+            let variances = [(along, major * major), (across, minor * minor)];
+            let [along, across] = variances.map(|(own, all)| if all > 0.0 { (own / all).min(1.0) } else { 1.0 });
+            [along.sqrt(), across.sqrt(), 1.0 - along, 1.0 - across]
+        })
+        .only_where(ordered),
         Row::new("taps_covariance", |x| tap([x[0], x[1]], x[2], x[3], x[4]).covariance).only_where(ordered),
     ]
 }

@@ -128,7 +128,7 @@ fn no_setting_is_ignored() -> Outcome {
     refused(&hills().colors(Colors::Dynamic), "dynamic colors");
     refused(&hills().slope_taps(SlopeTaps::Three), "three reads");
     refused(&hills().slope_map(wheel), "a map of slopes of its own");
-    refused(&hills().driver(driver), "pass it the statistics");
+    refused(&hills().driver(driver.clone()), "pass it the statistics");
     refused(&hills().microsurface(noisy), "noise");
     refused(&Scene::new("hills").combination(&grain).microsurface(masking), "a `microsurface`");
     refused(&Scene::new("hills").combination(sand.clone().driver(driver)), "a driver");

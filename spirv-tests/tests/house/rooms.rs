@@ -15,6 +15,10 @@ const NEEDS: &[(&str, &[&str])] = &[
 
 /// Rooms that stand elsewhere, with the reason in the comment.
 const INSTEAD: &[(&str, &str, &str)] = &[
+    // A structure alone: what drivers that are functions return, each of which has its own truth and rows.
+    ("wgsl/driver/statistics.wgsl", "src/driver/statistics", "src/driver/function"),
+    ("wgsl/driver/statistics.wgsl", "src/reference/statistics", "src/reference/moments"),
+    ("wgsl/driver/statistics.wgsl", "spirv-tests/src/rows/statistics", "spirv-tests/src/rows/moments"),
     // Axes come in pairs: the inverse of the shader's axis is the baker's, which tables need anyway.
     ("wgsl/math/grid.wgsl", "src/reference/grid", "src/table/grid"),
     // Distributions of Rice are how lengths of slopes are represented.
