@@ -57,14 +57,10 @@ impl Function {
         }
     }
 
-    /// The function that returns the statistics, and `NAME_color`, which calls a filter with them.
-    pub fn glue(&self, called: &Called<'_>) -> String {
-        let Called { name, color_type, parameters, .. } = *called;
-        let (position, suffix) = (self.dimensions.position_type(), self.suffix());
+    /// The function that returns the statistics, of a scene or of a layer of that name.
+    pub fn statistics(&self, name: &str) -> String {
+        let (position, suffix, what, body) = (self.dimensions.position_type(), self.suffix(), &self.what, &self.body);
         let (result, says) = if self.surface { ("statistics_surface", SURFACE) } else { ("vec4f", VALUES) };
-        let (what, body, taps) = (&self.what, &self.body, self.taps.count());
-        let given = SLOPES.iter().filter(|_| self.surface).fold(called.given.to_owned(), |g, s| g.replace(s, ""));
-        let points = if taps == 1 { "one tap".to_owned() } else { format!("{taps} taps") };
         format!(
             "/// {says} of {what} over a footprint.
 ///
@@ -72,47 +68,28 @@ impl Function {
 /// times the deviation of its filter.
 fn {name}_{suffix}(position: {position}, across: {position}, along: {position}) -> {result} {{
 {body}}}
-
-/// Mean color of `{name}` over a pixel's footprint on {what}, by {points}.
-///
-/// `dpdx` and `dpdy` are the screen derivatives of `position`.
-fn {name}_color(position: {position}, dpdx: {position}, dpdy: {position}{given}{parameters}) -> {color_type} {{
-{}}}
-",
-            self.color(called)
+"
         )
     }
 
-    /// The body of `NAME_color`.
-    fn color(&self, called: &Called<'_>) -> String {
-        let (vectors, taps) = (vectors(self.pixel, self.dimensions.position_type()), self.taps.count());
-        let read = |at: &str, across: &str, along: &str| {
-            let (name, suffix) = (called.name, self.suffix());
-            let mut read = vec![format!("let m = {name}_{suffix}({at}, {across}, {along});")];
-            read.extend(self.named(called));
-            read
+    /// That function, and `NAME_color`, which calls a filter with the statistics.
+    pub fn glue(&self, called: &Called<'_>) -> String {
+        let Called { name, color_type, parameters, .. } = *called;
+        let given = SLOPES.iter().filter(|_| self.surface).fold(called.given.to_owned(), |g, s| g.replace(s, ""));
+        let tilted = called.function != "height" || called.given.contains(SLOPES[0]);
+        let sees = self.surface && tilted && called.given.contains(" view: ");
+        let pixel = Evaluation {
+            reads: &[("m".to_owned(), format!("{name}_{}", self.suffix()))],
+            named: &self.named(called),
+            color: &called.call(self.arguments(called.function)),
+            weight: sees.then(|| area("m.slope", "m.slope_covariance")),
+            color_type,
+            dimensions: self.dimensions,
+            taps: self.taps,
+            pixel: self.pixel,
         };
-        let color = called.call(self.arguments(called.function));
-        if taps == 1 {
-            let found = read("position", "across", "along").join("\n    ");
-            return format!("{vectors}    {found}\n    return {color};\n");
-        }
-        let found = read("at", "shares.x * major", "shares.y * minor").join("\n        ");
-        let found = format!("let at = position + place.x * major_spread + place.y * minor_spread;\n        {found}");
-        let weight = self.sees(called).then(|| area("m.slope", "m.slope_covariance"));
-        let average = averaged(taps, called.color_type, &found, weight.as_deref(), &color);
-        format!(
-            "{vectors}    // The axes of the footprint, by those of the two vectors' products.
-    let products = vec3f(dot(across, across), dot(across, along), dot(along, along));
-    let turn = footprint_direction(products);
-    let major = turn.x * across + turn.y * along;
-    let minor = turn.x * along - turn.y * across;
-    let deviations = footprint_deviations(products);
-    let shares = taps_shares(deviations.x, deviations.y, {taps}.0);
-    let major_spread = sqrt(shares.z) * major;
-    let minor_spread = sqrt(shares.w) * minor;
-{average}"
-        )
+        let export = pixel.export(name, &self.what, &format!("{given}{parameters}"));
+        format!("{}\n{export}", self.statistics(name))
     }
 
     /// The filter's first arguments.
@@ -132,11 +109,71 @@ fn {name}_color(position: {position}, dpdx: {position}, dpdy: {position}{given}{
         let names = SLOPES.iter().filter(|slope| of(slope)).map(|slope| name(slope));
         names.map(|name| format!("let {name} = m.{};", field(&name))).collect()
     }
+}
 
-    /// Whether taps count by the area of their facets in the picture.
-    fn sees(&self, called: &Called<'_>) -> bool {
-        let tilted = called.function != "height" || called.given.contains(SLOPES[0]);
-        self.surface && tilted && called.given.contains(" view: ")
+/// What is evaluated at each tap of a pixel.
+pub(crate) struct Evaluation<'a> {
+    /// Names of statistics, each with the function that returns them.
+    pub reads: &'a [(String, String)],
+    /// Statements behind those.
+    pub named: &'a [String],
+    /// The expression of the color.
+    pub color: &'a str,
+    /// How much a tap counts beside its place, where not all count alike.
+    pub weight: Option<String>,
+    /// The type of the color.
+    pub color_type: &'a str,
+    /// The coordinates of positions.
+    pub dimensions: Dimensions,
+    /// Evaluations of the color a pixel.
+    pub taps: Taps,
+    /// The filter that turns samples into a pixel.
+    pub pixel: Pixel,
+}
+
+impl Evaluation<'_> {
+    /// `NAME_color`, on a driver in words, with its parameters behind the derivatives, each behind a comma.
+    pub fn export(&self, name: &str, what: &str, parameters: &str) -> String {
+        let (position, color_type, count) = (self.dimensions.position_type(), self.color_type, self.taps.count());
+        let points = if count == 1 { "one tap".to_owned() } else { format!("{count} taps") };
+        format!(
+            "/// Mean color of `{name}` over a pixel's footprint on {what}, by {points}.
+///
+/// `dpdx` and `dpdy` are the screen derivatives of `position`.
+fn {name}_color(position: {position}, dpdx: {position}, dpdy: {position}{parameters}) -> {color_type} {{
+{}{}}}
+",
+            vectors(self.pixel, position),
+            self.body()
+        )
+    }
+
+    /// What stands behind the statements that name `across` and `along`.
+    fn body(&self) -> String {
+        let (taps, color) = (self.taps.count(), self.color);
+        let found = |at: &str, across: &str, along: &str, indent: &str| {
+            let read =
+                |(name, function): &(String, String)| format!("let {name} = {function}({at}, {across}, {along});");
+            self.reads.iter().map(read).chain(self.named.iter().cloned()).collect::<Vec<_>>().join(indent)
+        };
+        if taps == 1 {
+            return format!("    {}\n    return {color};\n", found("position", "across", "along", "\n    "));
+        }
+        let read = found("at", "shares.x * major", "shares.y * minor", "\n        ");
+        let found = format!("let at = position + place.x * major_spread + place.y * minor_spread;\n        {read}");
+        let average = averaged(taps, self.color_type, &found, self.weight.as_deref(), color);
+        format!(
+            "    // The axes of the footprint, by those of the two vectors' products.
+    let products = vec3f(dot(across, across), dot(across, along), dot(along, along));
+    let turn = footprint_direction(products);
+    let major = turn.x * across + turn.y * along;
+    let minor = turn.x * along - turn.y * across;
+    let deviations = footprint_deviations(products);
+    let shares = taps_shares(deviations.x, deviations.y, {taps}.0);
+    let major_spread = sqrt(shares.z) * major;
+    let minor_spread = sqrt(shares.w) * minor;
+{average}"
+        )
     }
 }
 
