@@ -3,6 +3,7 @@
 //! Imports nothing of the crate and shares no formula with a shader, so that agreement means something.
 
 pub mod combine;
+pub mod crossing;
 pub mod curvature;
 pub mod footprint;
 pub mod height;

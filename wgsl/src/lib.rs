@@ -40,6 +40,7 @@ pub const FILES: &[File] = shelf![
     "math/mixture.wgsl",
     "math/normal.wgsl",
     "math/pulse.wgsl",
+    "footprint/crossing.wgsl",
     "footprint/curvature.wgsl",
     "footprint/footprint.wgsl",
     "footprint/taps.wgsl",

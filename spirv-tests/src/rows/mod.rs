@@ -4,6 +4,7 @@
 //! never repeats a shader's formula.
 
 mod combine;
+mod crossing;
 mod curvature;
 mod footprint;
 mod grid;
@@ -147,6 +148,7 @@ impl Row {
 pub fn all() -> Vec<Row> {
     let rooms = [
         combine::rows(),
+        crossing::rows(),
         curvature::rows(),
         footprint::rows(),
         grid::rows(),
