@@ -3,6 +3,7 @@
 mod candidate;
 mod combination;
 mod combined;
+mod driven;
 mod explanation;
 mod filtered;
 mod heights;

@@ -112,6 +112,7 @@ fn {name}_{suffix}(position: {position}, across: {position}, along: {position}) 
 }
 
 /// What is evaluated at each tap of a pixel.
+#[derive(Clone)]
 pub(crate) struct Evaluation<'a> {
     /// Names of statistics, each with the function that returns them.
     pub reads: &'a [(String, String)],

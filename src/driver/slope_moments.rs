@@ -51,7 +51,7 @@ pub(crate) fn gap(taps: Taps) -> String {
 }
 
 /// A tap's area in the picture for a unit of area of the mesh; where all taps are hidden they count alike.
-pub(super) fn area(mean: &str, covariance: &str) -> String {
+pub(crate) fn area(mean: &str, covariance: &str) -> String {
     format!("max(slopes_area(view, {mean}, slopes_factor(view, {covariance})), 1e-20)")
 }
 

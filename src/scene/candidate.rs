@@ -1,6 +1,6 @@
 //! The tiers that a scene tries, and which one it takes.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
 use super::filtered::Filtered;
@@ -154,36 +154,39 @@ impl Scene {
         filter: Filter,
         text: Text,
     ) -> Result<Candidate, Error> {
-        let linked = self.linked(&text.glue)?;
-        let cost = self.cost(&linked, &self.exports(&text.glue), &filter.tables, filter.trips);
+        let linked = self.linked(&format!("{}{}", text.glue, self.foreign()))?;
+        let driven = self.driver.iter().flat_map(|driver| driver.trips());
+        let driven = driven.map(|(function, turns)| (format!("{}_{function}", self.name), turns)).collect();
+        let cost = self.cost(&linked, &self.exports(&text.glue), &filter.tables, filter.trips, driven);
         Ok(Candidate { label, over, filter, judged, text, linked, cost })
     }
 
     /// The whole text, validated.
     pub(super) fn linked(&self, glue: &str) -> Result<Shader, Error> {
         let path = format!("{}.wgsl", self.name);
-        prefilter_wgsl::link(&format!("{glue}{}", self.foreign()))
+        prefilter_wgsl::link(glue)
             .map_err(|collision| Error::Collision { path: path.clone(), collision })
             .and_then(|text| Shader::new(&path, text))
     }
 
     /// What stands behind the glue that is not of the shelf: the text of a driver.
     pub(super) fn foreign(&self) -> String {
-        let text = self.driver.as_ref().map_or("", |driver| driver.foreign());
-        if text.is_empty() {
-            String::new()
-        } else {
-            format!("\n{}\n", text.trim())
-        }
+        once_each(self.driver.iter().map(|driver| driver.foreign()))
     }
 
-    /// The cost of the most expensive export.
-    pub(super) fn cost(&self, linked: &Shader, exports: &[Export], tables: &[Table], trips: usize) -> Cost {
+    /// The cost of the most expensive export; `driven` are the turns of the loops in what drivers write.
+    pub(super) fn cost(
+        &self,
+        linked: &Shader,
+        exports: &[Export],
+        tables: &[Table],
+        trips: usize,
+        driven: Vec<(String, usize)>,
+    ) -> Cost {
         let mut trips = BTreeMap::from(LOOPS.map(|name| (name.to_owned(), trips)));
         trips.extend(SIDES.map(|name| (name.to_owned(), 2)));
         trips.extend(NODES.map(|export| (format!("{}_{export}", self.name), combine::NODES)));
-        let driven = self.driver.iter().flat_map(|driver| driver.trips());
-        trips.extend(driven.map(|(function, turns)| (format!("{}_{function}", self.name), turns)));
+        trips.extend(driven);
         let (module, info) = linked.parsed();
         let table_bytes = tables.iter().map(Table::bytes).sum();
         let calls = exports.iter().filter_map(|export| cost::call(module, info, &export.name, &trips));
@@ -228,6 +231,12 @@ impl Scene {
         let all = prefilter_wgsl::declarations(glue).into_iter().map(export);
         all.filter(|export| Some(&export.name) != inner.as_ref() && export.result() != "statistics_surface").collect()
     }
+}
+
+/// Texts behind a glue, equal ones once.
+pub(super) fn once_each<'a>(texts: impl Iterator<Item = &'a str>) -> String {
+    let all: BTreeSet<&str> = texts.map(str::trim).filter(|text| !text.is_empty()).collect();
+    all.into_iter().map(|text| format!("\n{text}\n")).collect()
 }
 
 /// `, table: texture_2d<f32>, table_sampler: sampler` for each table, a volume with its own type.

@@ -60,6 +60,11 @@ impl Scene {
     /// With [`Self::irradiance`] also `NAME_lit(…, x, y, z, …)`, the mean of the color times the irradiance, and with
     /// [`Self::reflectance`] `NAME_radiance(…, radiance, …)`, the whole of a directional light.
     ///
+    /// Layers of values may have drivers that are functions of the position, and the combination one of the heights and
+    /// slopes that its layers share. Then `NAME_color(position, dpdx, dpdy, …)` calls the last of these exports that
+    /// there are with their statistics, and takes what no driver gives. Functions of different layers count as
+    /// independent: give noises different seeds.
+    ///
     /// The bound is that of the color. Each layer has its own tier, ranges and colors; an accuracy that the combination
     /// asks for is shared among layers that ask for none, by what they need. Accuracies and tiers of layers themselves
     /// are theirs, whatever the whole then errs by.

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
-use super::candidate::{parameters, Over};
+use super::candidate::{once_each, parameters, Over};
 use super::combination::{Combination, Expression};
 use super::layer::{listed, literal, mentions, once, shared, Layer, STATISTICS};
 use super::leaves::Leaves;
@@ -58,17 +58,19 @@ impl Scene {
         if let Some(reflectance) = self.reflectance {
             glue += &combined.radiance(reflectance)?;
         }
+        let drivers = self.drivers(&combined.layers)?;
+        glue += &self.driven_together(&drivers, &self.exports(&glue), combined.color_type(), &combined.weights)?;
         let exports = self.exports(&glue);
         glue += &combined.functions(filters.first());
-        let linked = self.linked(&glue)?;
+        let foreign = once_each(drivers.iter().map(|driven| driven.driver.foreign()));
+        let linked = self.linked(&format!("{glue}{foreign}"))?;
         let mut tables: Vec<Table> = combined.layers.iter().flat_map(|layer| layer.tables.clone()).collect();
         tables.extend(filters.into_iter().flat_map(|filter| filter.tables));
         let trips = combined.layers.iter().map(|layer| layer.chosen.filter.trips).max().unwrap_or(1);
-        let cost = self.cost(&linked, &exports, &tables, trips);
+        let cost = self.cost(&linked, &exports, &tables, trips, self.turns(&drivers));
         let bound = combined.bound(expression);
-        let explanation = self.explain_combined(&combined.layers, bound, cost);
-        let (name, foreign) = (self.name.clone(), String::new());
-        Ok(Module { name, exports, glue, foreign, linked, tables, explanation, bound, cost })
+        let explanation = self.explain_combined(&combined.layers, &drivers, bound, cost);
+        Ok(Module { name: self.name.clone(), exports, glue, foreign, linked, tables, explanation, bound, cost })
     }
 }
 

@@ -1,8 +1,10 @@
 //! What a module says of itself: the tier, its bound, its cost, and what the bound does not cover.
 
+use std::collections::BTreeSet;
 use std::fmt::Write;
 
 use super::candidate::{Candidate, Over};
+use super::driven::Driven;
 use super::layer::Layer;
 use super::Scene;
 use crate::accuracy::{Bound, Ranges};
@@ -64,7 +66,13 @@ impl Scene {
     }
 
     /// What a combination says of its layers and of itself.
-    pub(super) fn explain_combined(&self, layers: &[Layer<'_>], bound: Bound, cost: Cost) -> String {
+    pub(super) fn explain_combined(
+        &self,
+        layers: &[Layer<'_>],
+        drivers: &[Driven<'_>],
+        bound: Bound,
+        cost: Cost,
+    ) -> String {
         let mut text =
             format!("{}: a combination of {} layers\n  error   {bound}, of the color\n", self.name, layers.len());
         let _ = writeln!(text, "  cost    {cost} a call");
@@ -84,7 +92,8 @@ impl Scene {
         if lit && layers.iter().any(Layer::slopes) {
             let _ = writeln!(text, "  light   {TOGETHER}");
         }
-        let _ = writeln!(text, "  not in the error: {INDEPENDENT}");
+        let gaps: BTreeSet<String> = drivers.iter().map(|driven| format!(";\n    {}", driven.driver.gap())).collect();
+        let _ = writeln!(text, "  not in the error: {INDEPENDENT}{}", gaps.into_iter().collect::<String>());
         text
     }
 

@@ -99,10 +99,6 @@ impl Scene {
     /// # Errors
     /// Another filter, or a setting that belongs to its layers.
     pub(super) fn combines(&self) -> Result<(), Error> {
-        if self.driver.is_some() {
-            let what = "goes without a driver: pass it the statistics of its layers";
-            return Err(Error::Conflict(format!("the combination `{}` {what}", self.name)));
-        }
         let irradiance = self.irradiance_tier.filter(|_| self.irradiance.is_none());
         let settings = [
             self.map().map(|_| "a color map of its own".to_owned()),

@@ -79,9 +79,6 @@ impl Scene {
         if scene.combination.is_some() {
             return refused("has a color map and a combination");
         }
-        if scene.driver.is_some() {
-            return refused("has a driver, but statistics of layers are passed to their combination");
-        }
         if scene.microsurface != Microsurface::default() {
             return refused("has a microsurface, which a layer takes from its combination");
         }
@@ -91,7 +88,7 @@ impl Scene {
         let accuracy = scene.accuracy.or(self.accuracy.map(share));
         // Heights alone know of a surface that hides.
         let microsurface = if scene.variable() == "heights" { self.microsurface } else { Microsurface::default() };
-        let own = Scene { name: name.clone(), accuracy, microsurface, ..scene.clone() };
+        let own = Scene { name: name.clone(), accuracy, microsurface, driver: None, ..scene.clone() };
         own.chosen_ranges().check()?;
         own.accuracy.map_or(Ok(()), |accuracy| accuracy.check())?;
         let (chosen, _) = own.choose()?;

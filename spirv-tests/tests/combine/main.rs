@@ -1,6 +1,7 @@
 //! Combinations of layers on the device: sums and products of what each layer is, with light and without.
 
 mod bounds;
+mod driven;
 mod joint;
 mod light;
 mod limits;

@@ -128,10 +128,10 @@ fn no_setting_is_ignored() -> Outcome {
     refused(&hills().colors(Colors::Dynamic), "dynamic colors");
     refused(&hills().slope_taps(SlopeTaps::Three), "three reads");
     refused(&hills().slope_map(wheel), "a map of slopes of its own");
-    refused(&hills().driver(driver.clone()), "pass it the statistics");
+    refused(&hills().driver(driver.clone()), "pass its statistics to the combination");
     refused(&hills().microsurface(noisy), "noise");
     refused(&Scene::new("hills").combination(&grain).microsurface(masking), "a `microsurface`");
-    refused(&Scene::new("hills").combination(sand.clone().driver(driver)), "a driver");
+    refused(&Scene::new("hills").combination(sand.clone().driver(driver)), "pass its statistics");
     refused(&Scene::new("hills").combination(sand.clone().microsurface(masking)), "a microsurface");
     refused(&Scene::new("hills").combination(sand.clone().combination(&grain)), "and a combination");
     Ok(())
