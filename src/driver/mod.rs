@@ -4,6 +4,7 @@ pub mod custom;
 pub mod function;
 pub mod moment_mipmap;
 pub mod moments;
+pub mod noise;
 mod pyramid;
 mod slope_grid;
 pub mod slope_mipmap;

@@ -8,19 +8,23 @@ mod crossing;
 mod curvature;
 mod footprint;
 mod grid;
+mod hash;
 mod height;
 mod heights;
 mod irradiance;
+mod lattice;
 mod mixture;
 mod moments;
 mod normal;
 mod normals;
 mod percentile;
+mod perlin;
 mod perturbed;
 mod pulse;
 mod rice;
 mod roughness;
 mod rounds;
+mod simplex;
 mod slope_map;
 mod slope_moments;
 mod slopes;
@@ -28,6 +32,7 @@ mod smith;
 mod steepness;
 mod taps;
 mod texture;
+mod value;
 mod visibility;
 
 use std::fmt;
@@ -152,19 +157,23 @@ pub fn all() -> Vec<Row> {
         curvature::rows(),
         footprint::rows(),
         grid::rows(),
+        hash::rows(),
         height::rows(),
         heights::rows(),
         irradiance::rows(),
+        lattice::rows(),
         mixture::rows(),
         moments::rows(),
         normal::rows(),
         normals::rows(),
         percentile::rows(),
+        perlin::rows(),
         perturbed::rows(),
         pulse::rows(),
         rice::rows(),
         roughness::rows(),
         rounds::rows(),
+        simplex::rows(),
         slope_moments::rows(),
         slope_map::rows(),
         slopes::rows(),
@@ -172,6 +181,7 @@ pub fn all() -> Vec<Row> {
         steepness::rows(),
         taps::rows(),
         texture::rows(),
+        value::rows(),
         visibility::rows(),
     ];
     rooms.into_iter().flatten().collect()

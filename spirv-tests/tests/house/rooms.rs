@@ -19,6 +19,10 @@ const INSTEAD: &[(&str, &str, &str)] = &[
     ("wgsl/driver/statistics.wgsl", "src/driver/statistics", "src/driver/function"),
     ("wgsl/driver/statistics.wgsl", "src/reference/statistics", "src/reference/moments"),
     ("wgsl/driver/statistics.wgsl", "spirv-tests/src/rows/statistics", "spirv-tests/src/rows/moments"),
+    // Noises on lattices are bases of one driver.
+    ("wgsl/driver/perlin.wgsl", "src/driver/perlin", "src/driver/noise"),
+    ("wgsl/driver/simplex.wgsl", "src/driver/simplex", "src/driver/noise"),
+    ("wgsl/driver/value.wgsl", "src/driver/value", "src/driver/noise"),
     // Axes come in pairs: the inverse of the shader's axis is the baker's, which tables need anyway.
     ("wgsl/math/grid.wgsl", "src/reference/grid", "src/table/grid"),
     // Distributions of Rice are how lengths of slopes are represented.

@@ -1,0 +1,18 @@
+//! Value noise: sums over lattice points, gradients by differences.
+
+use prefilter::reference::lattice::gradient;
+use prefilter::reference::value::{noise, value};
+
+use super::lattice::{place, whole};
+use super::Row;
+
+pub(super) fn rows() -> Vec<Row> {
+    vec![
+        Row::new("value_point", |x| [value(place(x), x[2] as u32)]),
+        Row::new("value_noise", |x| {
+            let (position, period, seed) = ([x[0], x[1]], whole(&x[2..]), x[4] as u32);
+            let [along, across] = gradient(position, |at| noise(at, period, seed));
+            [noise(position, period, seed), along, across]
+        }),
+    ]
+}

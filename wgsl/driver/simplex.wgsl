@@ -1,0 +1,42 @@
+// Simplex noise in the plane: lines of unit slope at the points of a lattice of equilateral triangles, each times
+// 70 (½ − r²)⁴ where its distance r is below √½.
+//
+// Over all places the noise has the mean 0, the variance √3 π/184320 · 70² = 0.144655 and gradients of 160/7 times that
+// along either axis.
+
+/// How a position is skewed to the lattice of whole numbers, (√3 − 1)/2, and back, (3 − √3)/6.
+const simplex_skew = vec2f(0.366025404, 0.211324865);
+
+/// The part of a lattice point in noise and gradient at a distance from it: (noise, gradient).
+///
+/// Source: Perlin 2001, "Noise Hardware", with the radius and scale of Gustavson 2005, "Simplex Noise Demystified".
+/// Domain: away in [-1, 1], slope unit.
+/// Error: 3e-6 absolute; f32 rounding of the gradient.
+fn simplex_part(away: vec2f, slope: vec2f) -> vec3f {
+    let d = clamp(away, vec2f(-1.0), vec2f(1.0));
+    let g = clamp(slope, vec2f(-1.0), vec2f(1.0));
+    let w = max(0.5 - dot(d, d), 0.0);
+    let weight = 70.0 * w * w * w * w;
+    let rise = dot(g, d);
+    return vec3f(weight * rise, weight * g - (560.0 * w * w * w * rise) * d);
+}
+
+/// Noise and its gradient along x and y: (noise, gradient).
+///
+/// Seeds have noise of their own. It has no periods: its lattice has none along x and y both.
+///
+/// Source: Perlin 2001, "Noise Hardware"; the gradient by differentiation.
+/// Domain: position in [-100, 100], seed integer in [0, 4294967295].
+/// Error: 2e-4 absolute; f32 rounding of positions in the lattice, in proportion to the position.
+fn simplex_noise(position: vec2f, seed: u32) -> vec3f {
+    let p = clamp(position, vec2f(-1e9), vec2f(1e9));
+    let corner = floor(p + simplex_skew.x * (p.x + p.y));
+    let near = p - corner + simplex_skew.y * (corner.x + corner.y);
+    // The second of three corners stands to the right or above.
+    let step = select(vec2f(0.0, 1.0), vec2f(1.0, 0.0), near.x > near.y);
+    let middle = near - step + simplex_skew.y;
+    let far = near - 1.0 + 2.0 * simplex_skew.y;
+    return simplex_part(near, perlin_slope(corner, seed))
+        + simplex_part(middle, perlin_slope(corner + step, seed))
+        + simplex_part(far, perlin_slope(corner + 1.0, seed));
+}
