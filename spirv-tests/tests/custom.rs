@@ -109,6 +109,37 @@ fn filters_find_what_the_function_says() -> Outcome {
     Ok(())
 }
 
+/// A footprint of nothing is a point, and the widest derivatives, singular ones among them, stay numbers of the map.
+#[test]
+fn any_derivatives_give_colors_of_the_map() -> Outcome {
+    let device = Device::new()?;
+    let text = "fn wave(position: vec3f, across: vec3f, along: vec3f) -> vec4f {
+        let lost = 1.0 - exp(-min(dot(across, across) + dot(along, along), 80.0));
+        return vec4f(0.5 + 0.3 * sin(position.x) * (1.0 - lost), 0.045 * lost, 0.0, 0.0);
+    }";
+    let map = ColorMap::gradient([(0.2, [0.25, 0.0, 0.5]), (0.8, [0.75, 1.0, 0.5])])?;
+    let ends = [0.0, 1e-45, 1e-30, 1e-3, 1.0, -1e9, 1e30, f32::MAX];
+    let steps = ends.into_iter().flat_map(|x| ends.map(|y| [[x, 0.0, 0.0], [0.0, y, y], [x, y, 0.0], [y, -x, x]]));
+    let steps: Vec<[f32; 3]> = steps.flatten().collect();
+    let points: Vec<f32> =
+        steps.iter().flat_map(|x| steps.iter().flat_map(|y| [&[0.7, 0.2, -0.1], &x[..], y].concat())).collect();
+    for taps in [Taps::One, Taps::Two, Taps::Four, Taps::Eight] {
+        let custom = Custom { taps, ..Custom::new(text, "wave") };
+        let scene = Scene::new("moss").texture(map.clone()).tier(Tier::ClosedForm(Kernel::Exact));
+        let found = colors(&device, &scene.driver(Driver::Custom(custom)).module()?, "moss_color", &points)?;
+        for (place, color) in points.chunks_exact(9).zip(&found) {
+            let inside = (0.25..=0.75).contains(&color[0]) && (0.0..=1.0).contains(&color[1]) && color[2] == 0.5;
+            assert!(inside, "{taps:?} at {place:?}: {color:?}");
+            if place[3..].iter().all(|part| part.abs() < 1e-20) {
+                let value = 0.5 + 0.3 * 0.7f32.sin();
+                let expected = 0.25 + (value - 0.2) / 0.6 * 0.5;
+                assert!((color[0] - expected).abs() < 1e-6, "{taps:?} at {place:?}: {color:?} is not {expected}");
+            }
+        }
+    }
+    Ok(())
+}
+
 #[test]
 fn functions_that_do_not_fit_are_refused() -> Outcome {
     let scene = || Ok::<_, prefilter::Error>(Scene::new("moss").texture(gradient()?));

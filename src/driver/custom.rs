@@ -18,8 +18,9 @@ use crate::Error;
 /// parameters: `NAME_slope`, which returns the mean slope, a `vec2f`, and `NAME_slope_covariance`, the covariance xx,
 /// xy, yy about that, a `vec3f`.
 ///
-/// The text may mention the shelf. A text that is linked with the module and declares the same names takes their place:
-/// the function may as well be part of your shader.
+/// The text may mention the shelf. [`Module::cost`](crate::Module::cost) counts its loops as one turn. A text that is
+/// linked with the module and declares the same names takes their place: the function may as well be part of your
+/// shader.
 ///
 /// ```
 /// use prefilter::{ColorMap, Custom, Driver, Scene};
