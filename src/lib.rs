@@ -133,6 +133,7 @@ pub mod transfer;
 pub use accuracy::{Accuracy, Bound, Ranges};
 pub use cost::Cost;
 pub use driver::custom::Custom;
+pub use driver::four_moments::FourMomentMipmap;
 pub use driver::moment_mipmap::{Edge, MomentMipmap};
 pub use driver::moments::Moments;
 pub use driver::slope_mipmap::SlopeMipmap;

@@ -1,6 +1,7 @@
 //! What a footprint knows of the function that drives a material: its mean and deviation there, or those of its slopes.
 
 pub mod custom;
+pub mod four_moments;
 pub mod function;
 pub mod moment_mipmap;
 pub mod moments;

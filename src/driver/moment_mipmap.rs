@@ -1,6 +1,6 @@
 //! Pyramids of mean and deviation of an image.
 
-use super::pyramid::Grid;
+use super::pyramid::{Grid, Reconstruction};
 use crate::accuracy::Ranges;
 use crate::table::{Format, Level, Sampling, Table};
 use crate::Error;
@@ -60,20 +60,13 @@ impl MomentMipmap {
     /// [`Error::Value`] for a value that is no number or beyond ±1e15.
     pub fn new(width: u32, height: u32, values: &[f32], edge: Edge) -> Result<Self, Error> {
         check_size(width, height, values.len())?;
+        check_values(width, values, LARGEST)?;
         let (wide, high) = (width as usize, height as usize);
-        // Written so that NaN is refused.
-        if let Some(at) = values.iter().position(|value| !(value.abs() <= LARGEST)) {
-            let what = format!("the image's value at ({}, {})", at % wide, at / wide);
-            return Err(Error::value(what, values[at], format!("-{LARGEST:e} to {LARGEST:e}")));
-        }
-        let least = values.iter().copied().fold(f32::INFINITY, f32::min);
-        let most = values.iter().copied().fold(f32::NEG_INFINITY, f32::max);
-
         let points = values.iter().flat_map(|&value| [value, 0.0]).collect();
         let mut levels = vec![Level { width, height, depth: 1, texels: points }];
-        let base = Grid::reconstruction(wide, high, values, edge);
+        let base = Grid::reconstruction(&Reconstruction { width: wide, height: high, values, edge });
         levels.extend(base.halved(mixed, |&[mean, variance]| [mean as f32, variance.sqrt() as f32]));
-        Ok(Self { levels, values: (least, most) })
+        Ok(Self { levels, values: range(values) })
     }
 
     /// The levels, the image first: mean and deviation of each texel.
@@ -102,15 +95,7 @@ impl MomentMipmap {
     /// # Ok::<(), prefilter::Error>(())
     /// ```
     pub fn ranges(&self) -> Ranges {
-        let (mut low, mut high) = self.values;
-        // Twice what is asked for, and two numbers where numbers are farther apart; towards 0, within the limits.
-        let least = (2e-3f32).max(high.abs() * 2.4e-7);
-        if high - low < least && high > 0.0 {
-            low = high - least;
-        } else if high - low < least {
-            high = low + least;
-        }
-        Ranges { mean: (low, high), deviation: self.largest_deviation().max(1e-3) }
+        ranges(self.values)
     }
 
     /// Mean and deviation of the whole image.
@@ -154,32 +139,11 @@ impl MomentMipmap {
 impl Grid<2> {
     /// Moments of the bilinear reconstruction over the area of each texel of the image.
     ///
-    /// A texel's area is four quarters, in each of which the reconstruction is c + p x + q y + r x y about the
-    /// quarter's center, x and y in [−½, ½]: mean c, variance p²/12 + q²/12 + r²/144.
-    fn reconstruction(width: usize, height: usize, values: &[f32], edge: Edge) -> Self {
-        let neighbor = |at: usize, forward: bool, size: usize| match (edge, forward) {
-            (Edge::Clamp, true) => (at + 1).min(size - 1),
-            (Edge::Clamp, false) => at.saturating_sub(1),
-            (Edge::Repeat, true) => (at + 1) % size,
-            (Edge::Repeat, false) => (at + size - 1) % size,
-        };
-        let value = |x: usize, y: usize| f64::from(values[y * width + x]);
-        let quarter = |x: usize, y: usize, right: bool, below: bool| {
-            let (side, level) = (neighbor(x, right, width), neighbor(y, below, height));
-            let center = value(x, y);
-            // Relative to the texel: equal values leave exact zeros.
-            let [across, down, corner] =
-                [value(side, y), value(x, level), value(side, level)].map(|neighbor| neighbor - center);
-            let (across, down, corner) = (0.5 * across, 0.5 * down, 0.25 * (across + down + corner));
-            let mean = 0.25 * (across + down + corner);
-            let [p, q, r] = [0.5 * (across - down + corner), 0.5 * (down - across + corner), corner - across - down];
-            [center + mean, (p * p + q * q) / 12.0 + r * r / 144.0]
-        };
-        let texel = |at: usize| {
-            let (x, y) = (at % width, at / width);
-            let sides = [(false, false), (true, false), (false, true), (true, true)];
-            mixed(&sides.map(|(right, below)| (0.25, quarter(x, y, right, below))))
-        };
+    /// Over a quarter c + p x + q y + r x y has the mean c and the variance p²/12 + q²/12 + r²/144.
+    fn reconstruction(image: &Reconstruction<'_>) -> Self {
+        let moments = |[c, p, q, r]: [f64; 4]| (0.25, [c, (p * p + q * q) / 12.0 + r * r / 144.0]);
+        let texel = |at: usize| mixed(&image.quarters(at).map(moments));
+        let &Reconstruction { width, height, .. } = image;
         Self { width, height, moments: (0..width * height).map(texel).collect() }
     }
 }
@@ -188,7 +152,7 @@ impl Grid<2> {
 ///
 /// # Errors
 /// [`Error::Size`] otherwise.
-pub(super) fn check_size(width: u32, height: u32, count: usize) -> Result<(), Error> {
+pub(crate) fn check_size(width: u32, height: u32, count: usize) -> Result<(), Error> {
     for (side, size) in [("width", width), ("height", height)] {
         if !(1..=WIDEST).contains(&size) {
             let (what, allowed) = (format!("the image's {side}"), format!("1 to {WIDEST}"));
@@ -201,6 +165,36 @@ pub(super) fn check_size(width: u32, height: u32, count: usize) -> Result<(), Er
         return Err(Error::Size { what: "the image's number of values".into(), count, allowed });
     }
     Ok(())
+}
+
+/// Whether every value of an image is a number within ±`largest`.
+///
+/// # Errors
+/// [`Error::Value`] otherwise.
+pub(super) fn check_values(width: u32, values: &[f32], largest: f32) -> Result<(), Error> {
+    // Written so that NaN is refused.
+    let Some(at) = values.iter().position(|value| !(value.abs() <= largest)) else { return Ok(()) };
+    let what = format!("the image's value at ({}, {})", at % width as usize, at / width as usize);
+    Err(Error::value(what, values[at], format!("-{largest:e} to {largest:e}")))
+}
+
+/// The smallest and the largest value.
+pub(super) fn range(values: &[f32]) -> (f32, f32) {
+    let least = values.iter().copied().fold(f32::INFINITY, f32::min);
+    (least, values.iter().copied().fold(f32::NEG_INFINITY, f32::max))
+}
+
+/// The ranges of a scene that an image of these values drives.
+pub(super) fn ranges((mut low, mut high): (f32, f32)) -> Ranges {
+    let deviation = (0.5 * (high - low)).max(1e-3);
+    // Twice what is asked for, and two numbers where numbers are farther apart; towards 0, within the limits.
+    let least = (2e-3f32).max(high.abs() * 2.4e-7);
+    if high - low < least && high > 0.0 {
+        low = high - least;
+    } else if high - low < least {
+        high = low + least;
+    }
+    Ranges { mean: (low, high), deviation }
 }
 
 /// Mean and variance of a mixture, by the law of total variance; weights sum to one.

@@ -1,6 +1,50 @@
 //! Levels of an image's moments, each of half the size of the one above.
 
+use super::moment_mipmap::Edge;
 use crate::table::Level;
+
+/// An image's bilinear reconstruction.
+pub(super) struct Reconstruction<'a> {
+    pub width: usize,
+    pub height: usize,
+    /// Row by row.
+    pub values: &'a [f32],
+    /// What continues it.
+    pub edge: Edge,
+}
+
+impl Reconstruction<'_> {
+    /// The four quarters of a texel's area, in each of which the reconstruction is c + p x + q y + r x y about the
+    /// quarter's center, x and y in [−½, ½]: c, p, q and r.
+    pub fn quarters(&self, at: usize) -> [[f64; 4]; 4] {
+        let (x, y) = (at % self.width, at / self.width);
+        [(false, false), (true, false), (false, true), (true, true)].map(|(right, below)| {
+            let (side, level) = (self.beside(x, right, self.width), self.beside(y, below, self.height));
+            let center = self.value(x, y);
+            // Relative to the texel: equal values leave exact zeros.
+            let [across, down, corner] =
+                [self.value(side, y), self.value(x, level), self.value(side, level)].map(|neighbor| neighbor - center);
+            let (across, down, corner) = (0.5 * across, 0.5 * down, 0.25 * (across + down + corner));
+            let mean = 0.25 * (across + down + corner);
+            let [p, q] = [0.5 * (across - down + corner), 0.5 * (down - across + corner)];
+            [center + mean, p, q, corner - across - down]
+        })
+    }
+
+    fn value(&self, x: usize, y: usize) -> f64 {
+        f64::from(self.values[y * self.width + x])
+    }
+
+    /// The texel next to one along a side, which may be beyond an edge.
+    fn beside(&self, at: usize, forward: bool, size: usize) -> usize {
+        match (self.edge, forward) {
+            (Edge::Clamp, true) => (at + 1).min(size - 1),
+            (Edge::Clamp, false) => at.saturating_sub(1),
+            (Edge::Repeat, true) => (at + 1) % size,
+            (Edge::Repeat, false) => (at + size - 1) % size,
+        }
+    }
+}
 
 /// Moments of every texel of a level.
 pub(super) struct Grid<const N: usize> {

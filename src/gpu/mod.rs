@@ -27,9 +27,13 @@
 mod device;
 mod dispatch;
 mod kernel;
+mod moment_pass;
+mod moment_pyramid;
 mod texture;
 
 pub use device::Device;
 pub use dispatch::Dispatch;
 pub use kernel::{Kernel, Work};
+pub use moment_pass::MomentPass;
+pub use moment_pyramid::MomentPyramid;
 pub use texture::{Address, Texture};

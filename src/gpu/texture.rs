@@ -25,6 +25,13 @@ pub struct Texture {
 }
 
 impl Texture {
+    /// A texture that the device fills, read texel by texel.
+    pub(super) fn loaded(device: &Device, texture: wgpu::Texture, address: Address) -> Self {
+        let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
+        let sampler = device.wgpu().create_sampler(&sampler("", Sampling::Loaded, address));
+        Self { texture, view, sampler }
+    }
+
     /// The texture, for hosts that bind it themselves.
     pub fn wgpu(&self) -> &wgpu::Texture {
         &self.texture
@@ -74,7 +81,7 @@ impl Device {
                 self.queue().write_texture(target, &bytes, layout, extent(level));
             }
             let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
-            let sampler = self.wgpu().create_sampler(&sampler(table, address));
+            let sampler = self.wgpu().create_sampler(&sampler(&table.name, table.sampling, address));
             Texture { texture, view, sampler }
         })
     }
@@ -134,7 +141,7 @@ fn extent(level: &Level) -> wgpu::Extent3d {
     wgpu::Extent3d { width: level.width, height: level.height, depth_or_array_layers: level.depth }
 }
 
-fn format(format: Format) -> wgpu::TextureFormat {
+pub(super) fn format(format: Format) -> wgpu::TextureFormat {
     match format {
         Format::Rgba32Float => wgpu::TextureFormat::Rgba32Float,
         Format::Rgba16Float => wgpu::TextureFormat::Rgba16Float,
@@ -143,18 +150,18 @@ fn format(format: Format) -> wgpu::TextureFormat {
     }
 }
 
-fn sampler(table: &Table, address: Address) -> wgpu::SamplerDescriptor<'_> {
+fn sampler(name: &str, sampling: Sampling, address: Address) -> wgpu::SamplerDescriptor<'_> {
     let mode = match address {
         Address::Clamp => wgpu::AddressMode::ClampToEdge,
         Address::Repeat => wgpu::AddressMode::Repeat,
         Address::Mirror => wgpu::AddressMode::MirrorRepeat,
     };
-    let (filter, mipmap_filter) = match table.sampling {
+    let (filter, mipmap_filter) = match sampling {
         Sampling::Filtered => (wgpu::FilterMode::Linear, wgpu::MipmapFilterMode::Linear),
         Sampling::Loaded => (wgpu::FilterMode::Nearest, wgpu::MipmapFilterMode::Nearest),
     };
     wgpu::SamplerDescriptor {
-        label: Some(&table.name),
+        label: Some(name),
         address_mode_u: mode,
         address_mode_v: mode,
         address_mode_w: mode,

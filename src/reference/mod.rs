@@ -6,6 +6,7 @@ pub mod combine;
 pub mod crossing;
 pub mod curvature;
 pub mod footprint;
+pub mod four_moments;
 pub mod hash;
 pub mod height;
 pub mod heights;

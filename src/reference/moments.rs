@@ -128,6 +128,17 @@ impl Image {
 
     /// Mean and variance of the two levels that [`Self::read`] mixes, whatever the footprint's size.
     pub fn mixture(&self, texels: &[[f64; 2]], position: [f64; 2], covariance: [f64; 3]) -> [f64; 2] {
+        total(&self.mixed_parts(texels, position, covariance, |value| [value, 0.0]))
+    }
+
+    /// The parts of the two levels that are mixed, with their weights and what is known of each: at level 0 of a point.
+    pub(super) fn mixed_parts<const N: usize>(
+        &self,
+        texels: &[[f64; N]],
+        position: [f64; 2],
+        covariance: [f64; 3],
+        point: fn(f64) -> [f64; N],
+    ) -> Vec<(f64, [f64; N])> {
         let wanted = 0.5 * (covariance[0] + covariance[2]);
         let kernels = self.kernels();
         let above = kernels.iter().take_while(|&&kernel| kernel <= wanted).count();
@@ -137,9 +148,9 @@ impl Image {
             apart if apart > 0.0 => ((wanted - kernels[fine]) / apart).clamp(0.0, 1.0),
             _ => 1.0,
         };
-        let mut parts = self.parts(texels, position, fine, 1.0 - share);
-        parts.extend(self.parts(texels, position, coarse, share));
-        total(&parts)
+        let mut parts = self.parts(texels, position, fine, 1.0 - share, point);
+        parts.extend(self.parts(texels, position, coarse, share, point));
+        parts
     }
 
     /// The variance of the kernel of each level.
@@ -160,11 +171,18 @@ impl Image {
         [self.width, self.height].map(|size| (size >> level).max(1))
     }
 
-    /// Parts of the reconstruction that a level mixes at a position: weight, mean and variance.
-    fn parts(&self, texels: &[[f64; 2]], position: [f64; 2], level: usize, share: f64) -> Vec<(f64, [f64; 2])> {
+    /// Parts of the reconstruction that a level mixes at a position: the weight, and what is known of it.
+    pub(super) fn parts<const N: usize>(
+        &self,
+        texels: &[[f64; N]],
+        position: [f64; 2],
+        level: usize,
+        share: f64,
+        point: fn(f64) -> [f64; N],
+    ) -> Vec<(f64, [f64; N])> {
         let [x, y] = [position[0] * self.width as f64, position[1] * self.height as f64];
         if level == 0 {
-            return vec![(share, [self.value(x, y), 0.0])];
+            return vec![(share, point(self.value(x, y)))];
         }
         let [width, height] = self.level(level);
         let (left, right) = between(position[0], width);
@@ -181,7 +199,13 @@ impl Image {
     }
 
     /// The texels that a part of a level covers, weighted by the area; the part may be beyond the edges.
-    fn covered(&self, texels: &[[f64; 2]], level: usize, column: i64, row: i64) -> Vec<(f64, [f64; 2])> {
+    fn covered<const N: usize>(
+        &self,
+        texels: &[[f64; N]],
+        level: usize,
+        column: i64,
+        row: i64,
+    ) -> Vec<(f64, [f64; N])> {
         let [width, height] = self.level(level);
         let columns = shares(stands_at(column, width, self.beyond), width, self.width);
         let rows = shares(stands_at(row, height, self.beyond), height, self.height);

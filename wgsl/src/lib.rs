@@ -53,6 +53,7 @@ pub const FILES: &[File] = shelf![
     "visibility/smith.wgsl",
     "visibility/steepness.wgsl",
     "visibility/visibility.wgsl",
+    "driver/four_moments.wgsl",
     "driver/moments.wgsl",
     "driver/perlin.wgsl",
     "driver/simplex.wgsl",
@@ -68,4 +69,5 @@ pub const FILES: &[File] = shelf![
     "filter/rounds.wgsl",
     "filter/slope_map.wgsl",
     "filter/texture.wgsl",
+    "pass/moment_pyramid.wgsl",
 ];

@@ -7,6 +7,7 @@ mod combine;
 mod crossing;
 mod curvature;
 mod footprint;
+mod four_moments;
 mod grid;
 mod hash;
 mod height;
@@ -14,6 +15,7 @@ mod heights;
 mod irradiance;
 mod lattice;
 mod mixture;
+mod moment_pyramid;
 mod moments;
 mod normal;
 mod normals;
@@ -156,6 +158,7 @@ pub fn all() -> Vec<Row> {
         crossing::rows(),
         curvature::rows(),
         footprint::rows(),
+        four_moments::rows(),
         grid::rows(),
         hash::rows(),
         height::rows(),
@@ -163,6 +166,7 @@ pub fn all() -> Vec<Row> {
         irradiance::rows(),
         lattice::rows(),
         mixture::rows(),
+        moment_pyramid::rows(),
         moments::rows(),
         normal::rows(),
         normals::rows(),

@@ -20,7 +20,7 @@ struct Sample {
 pub(super) const SIZE: [usize; 2] = [13, 7];
 
 /// Slopes, waves and noise in [0, 1].
-fn values() -> Vec<f32> {
+pub(super) fn values() -> Vec<f32> {
     let [width, height] = SIZE;
     let value = |at: usize| {
         let (x, y) = (at % width, at / width);
@@ -55,7 +55,7 @@ pub(super) fn cell_is_certain(point: &[f64]) -> bool {
 }
 
 /// The surface has an edge at the centers of the image's texels, which footprints below a texel see.
-fn plane_is_certain(point: &[f64]) -> bool {
+pub(super) fn plane_is_certain(point: &[f64]) -> bool {
     point[2] + point[4] >= 2.0 || !near_center(point, SIZE)
 }
 

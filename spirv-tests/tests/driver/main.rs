@@ -5,6 +5,7 @@ mod colors;
 mod curvature;
 mod device;
 mod footprints;
+mod passes;
 mod pyramids;
 mod references;
 mod roughness;
