@@ -142,6 +142,7 @@ pub use driver::taps::{Pixel, Taps};
 pub use driver::Driver;
 pub use error::Error;
 pub use filter::combine::Reflectance;
+pub use filter::distribution::Distribution;
 pub use filter::height::{HeightTier, Microsurface};
 pub use filter::irradiance::IrradianceTier;
 pub use filter::slope::SlopeTier;

@@ -16,10 +16,12 @@ mod percentile;
 mod slope;
 mod slope_map;
 mod steepness;
+mod values;
 
 use crate::accuracy::{Accuracy, Ranges};
 use crate::driver::Driver;
 use crate::filter::combine::Reflectance;
+use crate::filter::distribution::Distribution;
 use crate::filter::height::{HeightTier, Microsurface};
 use crate::filter::irradiance::IrradianceTier;
 use crate::filter::slope::SlopeTier;
@@ -54,6 +56,8 @@ pub use joint::JointMap;
 pub struct Scene {
     name: String,
     texture: Option<ColorMap>,
+    #[cfg_attr(feature = "serde", serde(default))]
+    distribution: Distribution,
     height: Option<ColorMap>,
     #[cfg_attr(feature = "serde", serde(default))]
     percentile: Option<ColorMap>,
@@ -91,6 +95,7 @@ impl Scene {
         Self {
             name: name.to_owned(),
             texture: None,
+            distribution: Distribution::default(),
             height: None,
             percentile: None,
             slope: None,
@@ -179,8 +184,8 @@ impl Scene {
         Self { irradiance_tier: Some(tier), ..self }
     }
 
-    /// The largest filter error; the cheapest tier whose bound keeps it is chosen. Default: 1/255, and for heights
-    /// and slopes the closest tier where none keeps that.
+    /// The largest filter error; the cheapest tier whose bound keeps it is chosen. Default: 1/255, and for heights,
+    /// slopes and Beta distributions the closest tier where none keeps that.
     #[must_use]
     pub fn accuracy(self, accuracy: Accuracy) -> Self {
         Self { accuracy: Some(accuracy), ..self }
@@ -218,10 +223,10 @@ impl Scene {
         maps.into_iter().flatten().next()
     }
 
-    /// The ranges that bounds hold over: those given, or else those of the map.
+    /// The ranges that bounds hold over: those of the distribution, those given, or else those of the map.
     pub fn chosen_ranges(&self) -> Ranges {
         let own = self.slope_map.as_ref().map_or(Ranges::default(), |_| RANGES);
-        self.ranges.unwrap_or_else(|| self.map().map_or(own, Ranges::of))
+        self.distribution.ranges().or(self.ranges).unwrap_or_else(|| self.map().map_or(own, Ranges::of))
     }
 
     /// Generates, links and validates the module.
@@ -237,6 +242,7 @@ impl Scene {
     /// keeps the accuracy.
     pub fn module(&self) -> Result<Module, Error> {
         name::check(&self.name)?;
+        self.distribution.check()?;
         self.chosen_ranges().check()?;
         self.accuracy.map_or(Ok(()), |accuracy| accuracy.check())?;
         self.driver.as_ref().map_or(Ok(()), |driver| driver.check())?;

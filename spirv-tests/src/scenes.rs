@@ -1,5 +1,6 @@
 //! The scenes whose modules are snapshots, and go through every backend and validator.
 
+mod distributions;
 mod functions;
 
 use prefilter::{
@@ -18,7 +19,7 @@ type Result<T> = std::result::Result<T, Box<dyn std::error::Error + Send + Sync>
 /// None that the tests have seen: the maps are fixed.
 pub fn all() -> Result<Vec<(&'static str, Scene)>> {
     let seen = [slopes()?, slope_maps()?, steepnesses()?, irradiances()?, driven_slopes()?].concat();
-    Ok([textures()?, heights()?, seen, combinations()?, functions::all()?].concat())
+    Ok([textures()?, heights()?, seen, combinations()?, functions::all()?, distributions::all()?].concat())
 }
 
 /// The scenes of values.

@@ -95,7 +95,9 @@ fn {name}_{suffix}(position: {position}, across: {position}, along: {position}) 
     /// The filter's first arguments.
     fn arguments(&self, function: &str) -> &'static str {
         match (self.surface, function) {
+            (false, "pair") => "m.x, sqrt(max(m.y, 0.0)), m.z, m.w",
             (false, _) => "m.x, sqrt(max(m.y, 0.0))",
+            (true, "pair") => "m.moments.x, sqrt(max(m.moments.y, 0.0)), m.moments.z, m.moments.w",
             (true, "texture" | "height") => "m.moments.x, sqrt(max(m.moments.y, 0.0))",
             (true, _) => "m.slope, m.slope_covariance",
         }

@@ -67,6 +67,11 @@ impl Driver {
         }
     }
 
+    /// Whether it knows skewness and excess kurtosis of values.
+    pub(crate) fn knows_shape(&self) -> bool {
+        self.function(false).is_some()
+    }
+
     /// What it says of a footprint where it is a function of the position, with its slopes or without.
     pub(crate) fn function(&self, slopes: bool) -> Option<Function> {
         match self {
@@ -109,7 +114,7 @@ impl Driver {
             Self::Moments(moments) => moments::glue(called, moments),
             Self::SlopeMoments(moments) => slope_moments::glue(called, moments),
             _ => {
-                let slopes = self.knows_slopes() && called.function != "texture";
+                let slopes = self.knows_slopes() && !matches!(called.function, "texture" | "pair");
                 self.function(slopes).map_or(String::new(), |function| function.glue(called))
             }
         }

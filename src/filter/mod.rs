@@ -1,6 +1,7 @@
 //! Filters: what the mean of a transfer function over a footprint is, tier by tier.
 
 pub mod combine;
+pub mod distribution;
 pub mod height;
 pub mod irradiance;
 mod knots;

@@ -225,10 +225,21 @@ fn table(map: &ColorMap, colors: Colors, ranges: Ranges) -> Filter {
     let deviations = Axis { low: 0.0, high: ranges.deviation.into(), count: 16, spacing: Spacing::CubeRoot };
     let baked = Plan { map: &map.reference(), means, deviations, judged: ranges.mean }.of_values("table");
     let (low, high, reach) = (number(means.low as f32), number(means.high as f32), number(ranges.deviation));
-    let body = format!(
-        "    return texture_table(mean, deviation, {low}, {high}, {reach}, table, table_sampler){};\n",
-        swizzle(map)
-    );
+    tabulated(map, &format!("texture_table(mean, deviation, {low}, {high}, {reach}"), baked)
+}
+
+/// The table over Beta distributions between two ends, of deviations in parts of the largest.
+pub(super) fn bounded(map: &ColorMap, ends: (f32, f32)) -> Filter {
+    let means = Axis { low: ends.0.into(), high: ends.1.into(), count: 512, spacing: Spacing::Linear };
+    let deviations = Axis { low: 0.0, high: 1.0, count: 16, spacing: Spacing::SquareRoot };
+    let baked = Plan { map: &map.reference(), means, deviations, judged: ends }.of_bounded_values("table");
+    let (low, high) = (number(ends.0), number(ends.1));
+    tabulated(map, &format!("texture_bounded_table(mean, deviation, {low}, {high}"), baked)
+}
+
+/// The filter that reads a table by a call.
+fn tabulated(map: &ColorMap, call: &str, baked: Table) -> Filter {
+    let body = format!("    return {call}, table, table_sampler){};\n", swizzle(map));
     Filter { body, bound: Bound::Estimated(2.0 * baked.error), tables: vec![baked], trips: 1 }
 }
 

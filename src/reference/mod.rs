@@ -2,6 +2,7 @@
 //!
 //! Imports nothing of the crate and shares no formula with a shader, so that agreement means something.
 
+pub mod beta;
 pub mod combine;
 pub mod crossing;
 pub mod curvature;

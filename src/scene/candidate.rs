@@ -13,7 +13,7 @@ use crate::filter::height::HeightTier;
 use crate::filter::irradiance::IrradianceTier;
 use crate::filter::slope::SlopeTier;
 use crate::filter::slope_map::SlopeTaps;
-use crate::filter::texture::{color_type, filter, Filter};
+use crate::filter::texture::{color_type, Filter};
 use crate::filter::{Kernel, Tier};
 use crate::module::Export;
 use crate::shader::Shader;
@@ -33,8 +33,8 @@ const NODES: [&str; 2] = ["lit", "radiance"];
 /// The shelf's loops over the two sides of a mean slope.
 const SIDES: [&str; 3] = ["rice_five", "slope_map_five", "slope_map_nine"];
 
-/// Where a scene of heights asks for no accuracy and no tier keeps the default, how many times the closest one's bound
-/// is near enough.
+/// Where a scene of heights or of one table asks for no accuracy and no tier keeps the default, how many times the
+/// closest one's bound is near enough.
 const NEAR: f32 = 1.1;
 
 /// What a color is averaged over, and how that is represented.
@@ -102,7 +102,8 @@ impl Scene {
         let asked = self.accuracy.unwrap_or_default().max_filter_error;
         let closest = candidates.iter().min_by(|a, b| a.judged.total_cmp(&b.judged));
         let near = closest.map_or(0.0, |closest| NEAR * closest.judged);
-        let budget = if self.texture.is_none() && self.accuracy.is_none() { asked.max(near) } else { asked };
+        let choosy = self.texture.is_some() && !self.distribution.tabulated();
+        let budget = if !choosy && self.accuracy.is_none() { asked.max(near) } else { asked };
         let kept = candidates.iter().enumerate().filter(|(_, candidate)| candidate.judged <= budget);
         if let Some((lightest, _)) = kept.min_by_key(|(_, candidate)| candidate.cost.weight()) {
             let chosen = candidates.remove(lightest);
@@ -132,18 +133,10 @@ impl Scene {
             Tier::Table => tables,
             _ => true,
         };
+        if self.distribution.tabulated() {
+            return vec![Tier::Table];
+        }
         self.tier.map_or_else(|| LADDER.into_iter().filter(fits).collect(), |tier| vec![tier])
-    }
-
-    fn textures(&self, map: &ColorMap) -> Result<Vec<Candidate>, Error> {
-        let candidate = |tier: Tier| {
-            let filter = filter(map, self.colors, tier, self.chosen_ranges())?;
-            let beneath = self.texture_glue(map, tier, self.chosen_ranges(), &filter);
-            let glue = beneath.clone() + &self.driven("texture", color_type(map.channels()), "", &filter.tables);
-            let text = Text { glue, beneath, ..Text::default() };
-            self.candidate(tier.to_string(), Over::Values, filter.bound.value(), filter, text)
-        };
-        self.tiers().into_iter().map(candidate).collect()
     }
 
     pub(super) fn candidate(
@@ -209,9 +202,9 @@ impl Scene {
     }
 
     pub(super) fn texture_glue(&self, map: &ColorMap, tier: Tier, ranges: Ranges, filter: &Filter) -> String {
-        let name = &self.name;
-        let mut glue =
-            format!("/// Mean color of `{name}` over a pixel that covers a normal distribution, by {tier}.\n///\n");
+        let (name, covered) = (&self.name, self.distribution.single());
+        let by = if self.distribution.tabulated() { "its table".to_owned() } else { tier.to_string() };
+        let mut glue = format!("/// Mean color of `{name}` over a pixel that covers {covered}, by {by}.\n///\n");
         let (low, high) = ranges.mean;
         let _ = writeln!(glue, "/// For means from {low} to {high} and deviations up to {}.", ranges.deviation);
         let color = color_type(map.channels());

@@ -11,6 +11,7 @@ use crate::accuracy::{Bound, Ranges};
 use crate::cost::Cost;
 use crate::driver::Driver;
 use crate::filter::combine::Reflectance;
+use crate::filter::distribution::Distribution;
 use crate::filter::height::{self, surface, tier, HeightTier};
 use crate::filter::slope::SlopeTier;
 use crate::filter::{irradiance, slope, steepness};
@@ -33,8 +34,11 @@ impl Scene {
             let _ = writeln!(text, "  passed  {}: error {}; {}", other.label, described(other), other.cost);
         }
         let gap = match (chosen.over, &self.driver) {
-            (Over::Values, None) => UNDRIVEN.to_owned(),
-            (Over::Values, Some(driver)) => driver.gap(),
+            (Over::Values, None) => format!("{UNDRIVEN} {} of that mean and deviation", self.distribution),
+            (Over::Values, Some(driver)) if self.distribution == Distribution::Normal => driver.gap(),
+            (Over::Values, Some(driver)) => {
+                format!("{UNDRIVEN} {}; with a normal one it is\n    {}", self.distribution, driver.gap())
+            }
             (Over::Heights(_), driver) => driven(surface::gap(self.microsurface, self.percentile.is_some()), driver),
             (Over::Slopes(tier) | Over::SlopeMap(tier, _), driver) => driven(slope::gap(tier), driver),
             (Over::Steepness(_), driver) => driven(steepness::GAP.to_owned(), driver),
@@ -180,7 +184,7 @@ const INDEPENDENT: &str =
                            different layers are from independent";
 
 /// What the bound of a filter without a driver does not cover.
-const UNDRIVEN: &str = "how far a pixel's values are from a normal distribution of that mean and deviation";
+const UNDRIVEN: &str = "how far a pixel's values are from";
 
 /// A filter's gap, and its driver's behind it.
 fn driven(gap: String, driver: &Option<Driver>) -> String {

@@ -102,6 +102,7 @@ impl Scene {
         let irradiance = self.irradiance_tier.filter(|_| self.irradiance.is_none());
         let settings = [
             self.map().map(|_| "a color map of its own".to_owned()),
+            self.undistributed(false),
             self.slope_map.as_ref().map(|_| "a map of slopes of its own".to_owned()),
             self.tier.map(|tier| format!("a color map's tier, {tier}")),
             self.height_tier.map(|tier| format!("a tier of heights, {tier}")),
@@ -139,6 +140,7 @@ impl Scene {
         let driver = self.driver.as_ref().filter(|driver| !filtered.driven_by(driver));
         let settings = [
             driver.map(|driver| format!("a driver that gives {}", driver.gives())),
+            self.undistributed(matches!(filtered, F::Texture(_))),
             self.tier.filter(|_| !mapped).map(|tier| format!("a color map's tier, {tier}")),
             height_tier.map(|tier| format!("a tier of heights, {tier}")),
             slope_tier.map(|tier| format!("a tier of slopes, {tier}")),

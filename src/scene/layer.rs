@@ -3,6 +3,7 @@
 use super::candidate::{arguments, parameters, Candidate, Over};
 use super::combination::hull;
 use super::Scene;
+use crate::filter::distribution::Distribution;
 use crate::filter::height::{surface, HeightTier, Microsurface};
 use crate::filter::shared::Shared;
 use crate::filter::texture::color_type;
@@ -79,6 +80,9 @@ impl Scene {
         if scene.combination.is_some() {
             return refused("has a color map and a combination");
         }
+        if scene.distribution == Distribution::Pair {
+            return refused("takes values for two normal distributions, of which layers have one");
+        }
         if scene.microsurface != Microsurface::default() {
             return refused("has a microsurface, which a layer takes from its combination");
         }
@@ -89,6 +93,7 @@ impl Scene {
         // Heights alone know of a surface that hides.
         let microsurface = if scene.variable() == "heights" { self.microsurface } else { Microsurface::default() };
         let own = Scene { name: name.clone(), accuracy, microsurface, driver: None, ..scene.clone() };
+        own.distribution.check()?;
         own.chosen_ranges().check()?;
         own.accuracy.map_or(Ok(()), |accuracy| accuracy.check())?;
         let (chosen, _) = own.choose()?;

@@ -1,4 +1,4 @@
-//! Tables of a map's means over normal values or over visible heights, baked from tabulated distributions and judged by
+//! Tables of a map's means over normal and bounded values or over visible heights, baked in f64 and judged by a second
 //! quadrature.
 
 use std::sync::OnceLock;
@@ -7,6 +7,7 @@ use super::grid::{Axis, Spacing};
 use super::lattice::{Judged, Lattice, FLAT};
 use super::strip::Strip;
 use super::Table;
+use crate::reference::beta::Beta;
 use crate::reference::height;
 use crate::reference::heights::lambda_of_skewness;
 use crate::reference::texture::PiecewiseLinear;
@@ -46,6 +47,20 @@ impl Plan<'_> {
         let (lattice, normal) = (self.lattice(FLAT), &strips()[0]);
         let texels = lattice.texels(|_, mean, deviation| normal.color(self.map, mean, deviation));
         let error = self.judge(lattice, FLOOR, &texels, normal);
+        lattice.table(name, texels, error)
+    }
+
+    /// A table of means over Beta distributions between the ends of the columns, with its error as measured; its rows
+    /// are parts of the largest deviation that a mean has.
+    pub(crate) fn of_bounded_values(self, name: &str) -> Table {
+        let lattice = self.lattice(FLAT);
+        let Axis { low, high, .. } = self.means;
+        let beta = |mean: f64, part: f64| Beta::new([low, high], mean, part * ((mean - low) * (high - mean)).sqrt());
+        let near = |mean: f64, part: f64| beta(mean, part).mean(self.map);
+        let truth = |mean: f64, part: f64| beta(mean, part).mean_by_parts(self.map);
+        let texels = lattice.texels(|_, mean, part| near(mean, part));
+        let judged = Judged { low, high, least: FLOOR, third: 0.0 };
+        let error = lattice.error(&texels, self.map, judged, near, truth);
         lattice.table(name, texels, error)
     }
 

@@ -109,3 +109,22 @@ fn texture_table(
     let at = vec2f(grid_linear(mean, low, high, size.x), grid_cube_root(deviation, reach, size.y));
     return textureSampleLevel(table, table_sampler, at, 0.0);
 }
+
+/// Mean of a map from a table of means over distributions between the ends `low` and `high`: over the mean between
+/// these, and over the square root of the deviation's share of the largest that values there have. Means outside read
+/// the border, larger deviations the last row.
+///
+/// Source: Heitz et al. 2014, section 4.2, with the variance over that of values at both ends, (mean − low)(high −
+/// mean).
+/// Domain: mean in [-0.25, 1.25], deviation in [0, 0.6], low in [0, 0], high in [1, 1].
+/// Error: 5e-3 absolute; bilinear interpolation of 512 × 16 nodes for matplotlib's terrain over Beta distributions.
+fn texture_bounded_table(
+    mean: f32, deviation: f32, low: f32, high: f32, table: texture_2d<f32>, table_sampler: sampler,
+) -> vec4f {
+    let size = vec2f(textureDimensions(table));
+    let m = clamp(mean, low, high);
+    let largest = sqrt(max((m - low) * (high - m), 1e-30));
+    let part = sqrt(clamp(deviation / largest, 0.0, 1.0));
+    let at = vec2f(grid_linear(m, low, high, size.x), grid_linear(part, 0.0, 1.0, size.y));
+    return textureSampleLevel(table, table_sampler, at, 0.0);
+}

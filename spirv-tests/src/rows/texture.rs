@@ -1,9 +1,10 @@
 //! C0: means of color maps over a normal variable, by quadrature of the map times the density.
 
 use prefilter::gpu::Address;
+use prefilter::reference::beta::Beta;
 use prefilter::reference::texture::{mean, PiecewiseLinear};
 use prefilter::table::{Format, Level, Sampling, Table};
-use prefilter::{ColorMap, Colors, Ranges, Scene, Tier};
+use prefilter::{ColorMap, Colors, Distribution, Ranges, Scene, Tier};
 
 use super::Row;
 use crate::maps;
@@ -69,6 +70,18 @@ fn table(map: &ColorMap) -> Row {
     Row::new("texture_table", colors(map)).table(table, Address::Clamp)
 }
 
+/// A row of `texture_bounded_table` for a map over the whole domain.
+fn bounded_table(map: &ColorMap) -> Row {
+    let between = Distribution::Beta { low: 0.0, high: 1.0 };
+    let module = Scene::new("judged").texture(map.clone()).distribution(between).module();
+    let table = module.expect("the ends are those of the contract").tables()[0].clone();
+    let map = map.reference();
+    let color = move |x: &[f64]| Beta::new([0.0, 1.0], x[0], x[1]).mean_by_parts(&map);
+    Row::new("texture_bounded_table", color)
+        .table(table, Address::Clamp)
+        .at([[0.0, 0.1, 0.0, 1.0], [0.5, 0.5, 0.0, 1.0]])
+}
+
 pub(super) fn rows() -> Vec<Row> {
     let steps = [[0.0, 1e-6], [0.0, 0.5], [8e-6, 1e-6], [-0.8, 0.1], [0.6, 0.1]];
     // Narrow ramps turn into steps at width/deviation = 0.02.
@@ -82,6 +95,7 @@ pub(super) fn rows() -> Vec<Row> {
         knots(&hard),
         knots(&edge),
         table(&terrain),
+        bounded_table(&terrain),
         Row::new("texture_kink", kink).at(steps),
         Row::new("texture_kink_fast", kink).at(steps),
         Row::new("texture_step", step).at(steps),

@@ -1,0 +1,124 @@
+//! What the values that a footprint covers are taken for, given what is known of them.
+
+use super::texture::{self, Filter};
+use super::Tier;
+use crate::accuracy::Ranges;
+use crate::transfer::color_map::{ColorMap, Colors};
+use crate::Error;
+
+/// What distribution the values over a footprint are taken for.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
+pub enum Distribution {
+    /// The normal one of their mean and deviation.
+    #[default]
+    Normal,
+    /// Two normal ones of one deviation, of their mean, deviation, skewness and excess kurtosis.
+    ///
+    /// Exports `NAME_pair(mean, deviation, skewness, kurtosis)`, which evaluates `NAME_texture` twice and is that where
+    /// skewness and kurtosis are 0, as where they are not known. Values that are one of two, or about them, have such
+    /// distributions. The [`Ranges`] are those of either.
+    Pair,
+    /// The Beta distribution of their mean and deviation between two ends, for values that have such, as sines have.
+    ///
+    /// Over footprints of a sine with deviations of 0.5, 1 and 4 radians the color errs, root mean square over four
+    /// maps, by 0.006, 0.009 and 0.0001, where a normal distribution errs by 0.038, 0.071 and 0.065.
+    ///
+    /// It fills a table, [`Tier::Table`], of parts of the largest deviation that a mean has, for 13 operations more
+    /// than that of normal distributions: read by the deviation itself it would err several times as much between
+    /// texels, as its colors bend where all values are at the ends. Means beyond an end count as that end, deviations
+    /// as at most what values between the ends have, all of which are then at the ends. Bounds are against the mean
+    /// over Beta distributions. The ends are the scene's [`Ranges`], too.
+    Beta {
+        /// The low end.
+        low: f32,
+        /// The high end, from 0.002 above the low one.
+        high: f32,
+    },
+}
+
+impl Distribution {
+    /// Whether the description can be used.
+    ///
+    /// # Errors
+    /// [`Error::Value`] for ends beyond the limits of [`Ranges`] or too near.
+    pub(crate) fn check(&self) -> Result<(), Error> {
+        match self {
+            Self::Normal | Self::Pair => Ok(()),
+            Self::Beta { low, high } => {
+                let ends = [("low", low), ("high", high)];
+                if let Some((end, value)) = ends.into_iter().find(|(_, value)| !(value.abs() <= 65504.0)) {
+                    let what = format!("the {end} end of the Beta distributions");
+                    return Err(Error::value(what, *value, "a number from -65504 to 65504"));
+                }
+                // Half of it is the largest deviation, whose limit is the same.
+                if high - low >= 2e-3 {
+                    return Ok(());
+                }
+                let what = "the high end of the Beta distributions";
+                Err(Error::value(what, *high, format!("at least 0.002 above the low end {low}")))
+            }
+        }
+    }
+
+    /// The means and deviations that it has, where it has not all.
+    pub(crate) fn ranges(&self) -> Option<Ranges> {
+        match *self {
+            Self::Normal | Self::Pair => None,
+            Self::Beta { low, high } => Some(Ranges { mean: (low, high), deviation: 0.5 * (high - low) }),
+        }
+    }
+
+    /// Whether it stands in a table, and nowhere else.
+    pub(crate) fn tabulated(&self) -> bool {
+        matches!(self, Self::Beta { .. })
+    }
+
+    /// What `NAME_texture` is over: of two distributions one.
+    pub(crate) fn single(&self) -> &Self {
+        match self {
+            Self::Pair => &Self::Normal,
+            _ => self,
+        }
+    }
+
+    /// The filter of one tier.
+    ///
+    /// # Errors
+    /// A tier that does not go with the colors.
+    pub(crate) fn filter(&self, map: &ColorMap, colors: Colors, tier: Tier, ranges: Ranges) -> Result<Filter, Error> {
+        match *self {
+            Self::Normal | Self::Pair => texture::filter(map, colors, tier, ranges),
+            Self::Beta { low, high } => Ok(texture::bounded(map, (low, high))),
+        }
+    }
+}
+
+impl std::fmt::Display for Distribution {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Normal => formatter.write_str("a normal distribution"),
+            Self::Pair => formatter.write_str("two normal distributions"),
+            Self::Beta { low, high } => write!(formatter, "a Beta distribution between {low} and {high}"),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn refuses_ends_that_are_none() {
+        for (low, high) in [(1.0, 0.0), (0.0, 0.0), (0.0, 1e-3), (f32::NAN, 1.0), (0.0, f32::INFINITY), (-1e5, 0.0)] {
+            let refused = Distribution::Beta { low, high }.check();
+            assert!(matches!(refused, Err(Error::Value { .. })), "{low}, {high}: {refused:?}");
+        }
+        for (low, high) in [(0.0, 1.0), (-65504.0, 65504.0), (0.25, 0.252)] {
+            let distribution = Distribution::Beta { low, high };
+            assert_eq!(distribution.check(), Ok(()));
+            assert_eq!(distribution.ranges().map(|ranges| ranges.check()), Some(Ok(())), "{low}, {high}");
+        }
+    }
+}
