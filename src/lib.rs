@@ -136,6 +136,7 @@ pub use driver::custom::Custom;
 pub use driver::four_moments::FourMomentMipmap;
 pub use driver::moment_mipmap::{Edge, MomentMipmap};
 pub use driver::moments::Moments;
+pub use driver::pattern::Pattern;
 pub use driver::slope_mipmap::SlopeMipmap;
 pub use driver::slope_moments::SlopeMoments;
 pub use driver::taps::{Pixel, Taps};

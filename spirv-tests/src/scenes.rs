@@ -2,6 +2,7 @@
 
 mod distributions;
 mod functions;
+mod patterns;
 
 use prefilter::{
     Accuracy, ColorMap, Colors, Combination, Driver, HeightTier, Irradiance, IrradianceTier, JointMap, Kernel,
@@ -19,7 +20,8 @@ type Result<T> = std::result::Result<T, Box<dyn std::error::Error + Send + Sync>
 /// None that the tests have seen: the maps are fixed.
 pub fn all() -> Result<Vec<(&'static str, Scene)>> {
     let seen = [slopes()?, slope_maps()?, steepnesses()?, irradiances()?, driven_slopes()?].concat();
-    Ok([textures()?, heights()?, seen, combinations()?, functions::all()?, distributions::all()?].concat())
+    let functions = [functions::all()?, distributions::all()?, patterns::all()?].concat();
+    Ok([textures()?, heights()?, seen, combinations()?, functions].concat())
 }
 
 /// The scenes of values.

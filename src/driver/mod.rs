@@ -6,6 +6,7 @@ pub mod function;
 pub mod moment_mipmap;
 pub mod moments;
 pub mod noise;
+pub mod pattern;
 mod pyramid;
 mod slope_grid;
 pub mod slope_mipmap;
@@ -15,6 +16,7 @@ pub mod taps;
 use custom::Custom;
 use function::Function;
 use moments::Moments;
+use pattern::Pattern;
 use slope_moments::SlopeMoments;
 use taps::Taps;
 
@@ -29,6 +31,8 @@ pub enum Driver {
     Moments(Moments),
     /// Mean and covariance of the slopes of a map of normals or heights: for slopes, steepness and irradiance.
     SlopeMoments(SlopeMoments),
+    /// One of two values, by stripes, a checker or a grid: for values and heights.
+    Pattern(Pattern),
     /// A function of your own: for values and heights, and for slopes where it knows them.
     Custom(Custom),
 }
@@ -42,6 +46,7 @@ impl Driver {
         match self {
             Self::Moments(moments) => moments.pixel.check(),
             Self::SlopeMoments(moments) => moments.pixel.check(),
+            Self::Pattern(pattern) => pattern.check(),
             Self::Custom(custom) => custom.check(),
         }
     }
@@ -54,6 +59,7 @@ impl Driver {
             }
             Self::Moments(_) => "mean and deviation of a value, `Driver::Moments`",
             Self::SlopeMoments(_) => "mean and covariance of slopes, `Driver::SlopeMoments`",
+            Self::Pattern(_) => "values and heights without slopes, `Driver::Pattern`",
             Self::Custom(custom) if custom.knows_slopes() => "values, heights and slopes, `Driver::Custom`",
             Self::Custom(_) => "values and heights without slopes, `Driver::Custom`",
         }
@@ -62,7 +68,7 @@ impl Driver {
     /// Whether it is a function that knows mean and covariance of its slopes.
     pub(crate) fn knows_slopes(&self) -> bool {
         match self {
-            Self::Moments(_) | Self::SlopeMoments(_) => false,
+            Self::Moments(_) | Self::SlopeMoments(_) | Self::Pattern(_) => false,
             Self::Custom(custom) => custom.knows_slopes(),
         }
     }
@@ -76,6 +82,7 @@ impl Driver {
     pub(crate) fn function(&self, slopes: bool) -> Option<Function> {
         match self {
             Self::Moments(_) | Self::SlopeMoments(_) => None,
+            Self::Pattern(pattern) => Some(pattern.function()),
             Self::Custom(custom) => Some(custom.function(slopes)),
         }
     }
@@ -113,6 +120,7 @@ impl Driver {
         match self {
             Self::Moments(moments) => moments::glue(called, moments),
             Self::SlopeMoments(moments) => slope_moments::glue(called, moments),
+            Self::Pattern(pattern) => pattern.glue(called),
             _ => {
                 let slopes = self.knows_slopes() && !matches!(called.function, "texture" | "pair");
                 self.function(slopes).map_or(String::new(), |function| function.glue(called))

@@ -17,6 +17,7 @@ pub mod mixture;
 pub mod moments;
 pub mod normal;
 pub mod normals;
+pub mod pattern;
 pub mod percentile;
 pub mod perlin;
 pub mod perturbed;

@@ -1,5 +1,6 @@
 // Lines along two axes over one footprint: how much more of it lies on both than if the axes were independent, which
-// they are for a footprint along the axes only. Lines of the share `duty` of the period 1 are centered at whole numbers.
+// they are for a footprint along the axes only. Lines of the share `duty` of the period 1 are centered at whole
+// numbers.
 //
 // Footprints within a quarter of a period see the corners of few lines, wider ones few waves: the covariance is the sum
 // over either. Along an axis the footprint's deviation is √xx or √yy, and covariances are (xx, xy, yy).
@@ -34,7 +35,8 @@ fn crossing_squares(position: vec2f, footprint: vec3f) -> f32 {
     return crossing_waves(at, vec2f(0.5), footprint, 2.0);
 }
 
-/// Covariance of lines by the corners of those on both sides of a position, for footprints within a quarter of a period.
+/// Covariance of lines by the corners of those on both sides of a position, for footprints within a quarter of a
+/// period.
 ///
 /// Source: Plackett 1954, "A reduction formula for normal multivariate integrals": the derivative of a normal
 /// probability by a covariance is the density at the corner, here integrated over the arc sine of the correlation by
@@ -45,9 +47,9 @@ fn crossing_near(position: vec2f, duties: vec2f, footprint: vec3f) -> f32 {
     let deviations = sqrt(clamp(footprint.xz, vec2f(1e-18), vec2f(1e36)));
     let at = position - round(position);
     let beside = at - select(vec2f(-1.0), vec2f(1.0), at > vec2f());
-    let half = 0.5 * duties;
-    let x = vec4f(at.x + half.x, at.x - half.x, beside.x + half.x, beside.x - half.x) / deviations.x;
-    let y = vec4f(at.y + half.y, at.y - half.y, beside.y + half.y, beside.y - half.y) / deviations.y;
+    let reach = 0.5 * duties;
+    let x = vec4f(at.x + reach.x, at.x - reach.x, beside.x + reach.x, beside.x - reach.x) / deviations.x;
+    let y = vec4f(at.y + reach.y, at.y - reach.y, beside.y + reach.y, beside.y - reach.y) / deviations.y;
     let across = clamp(footprint.y, -1e36, 1e36) / (deviations.x * deviations.y);
     let angle = atan2(across, sqrt(max(1.0 - across * across, 1e-12)));
     let low = vec4f(crossing_corners(x, y, 0.0469100770 * angle), crossing_corners(x, y, 0.230765345 * angle),
@@ -57,8 +59,8 @@ fn crossing_near(position: vec2f, duties: vec2f, footprint: vec3f) -> f32 {
     return 0.159154943 * angle * sum; // 1/(2π)
 }
 
-/// Sum of a normal distribution's densities at sixteen corners, each 1 at its center, with the signs of the edges, + − +
-/// − along either axis; the correlation is the sine of the angle.
+/// Sum of a normal distribution's densities at sixteen corners, each 1 at its center, with the signs of the edges, + −
+/// + − along either axis; the correlation is the sine of the angle.
 ///
 /// Source: density of two correlated normal variables.
 /// Domain: x in [-4, 4], y in [-4, 4], angle in [-1.4, 1.4].
@@ -126,6 +128,6 @@ fn crossing_waves(position: vec2f, duties: vec2f, footprint: vec3f, stride: f32)
 /// Domain: wave integer in [-33, 33], duty in [0, 1].
 /// Error: 2e-7 absolute; f32 rounding and the device's sin.
 fn crossing_wave(wave: f32, duty: f32) -> f32 {
-    let half = 0.5 * wave * duty;
-    return sin(6.28318531 * (half - round(half))) / select(3.14159265 * wave, 1e30, wave == 0.0);
+    let turns = 0.5 * wave * duty;
+    return sin(6.28318531 * (turns - round(turns))) / select(3.14159265 * wave, 1e30, wave == 0.0);
 }

@@ -57,6 +57,7 @@ pub const FILES: &[File] = shelf![
     "driver/moments.wgsl",
     "driver/perlin.wgsl",
     "driver/simplex.wgsl",
+    "driver/pattern.wgsl",
     "driver/slope_moments.wgsl",
     "driver/statistics.wgsl",
     "driver/value.wgsl",

@@ -19,6 +19,7 @@ mod moment_pyramid;
 mod moments;
 mod normal;
 mod normals;
+mod pattern;
 mod percentile;
 mod perlin;
 mod perturbed;
@@ -170,6 +171,7 @@ pub fn all() -> Vec<Row> {
         moments::rows(),
         normal::rows(),
         normals::rows(),
+        pattern::rows(),
         percentile::rows(),
         perlin::rows(),
         perturbed::rows(),

@@ -1,3 +1,5 @@
 //! Patterns: steps, pulses and what they repeat, over footprints.
 
 mod pulses;
+mod scenes;
+mod shares;
