@@ -134,6 +134,8 @@ pub use accuracy::{Accuracy, Bound, Ranges};
 pub use cost::Cost;
 pub use driver::custom::Custom;
 pub use driver::four_moments::FourMomentMipmap;
+pub use driver::gabor::{Gabor, GaborMethod};
+pub use driver::gabor_spectrum::Spectrum;
 pub use driver::moment_mipmap::{Edge, MomentMipmap};
 pub use driver::moments::Moments;
 pub use driver::pattern::Pattern;

@@ -3,6 +3,8 @@
 pub mod custom;
 pub mod four_moments;
 pub mod function;
+pub mod gabor;
+pub mod gabor_spectrum;
 pub mod moment_mipmap;
 pub mod moments;
 pub mod noise;
@@ -15,6 +17,7 @@ pub mod taps;
 
 use custom::Custom;
 use function::Function;
+use gabor::Gabor;
 use moments::Moments;
 use pattern::Pattern;
 use slope_moments::SlopeMoments;
@@ -33,6 +36,8 @@ pub enum Driver {
     SlopeMoments(SlopeMoments),
     /// One of two values, by stripes, a checker or a grid: for values and heights.
     Pattern(Pattern),
+    /// Solid noise of waves at random places, in three coordinates: for values and heights.
+    Gabor(Gabor),
     /// A function of your own: for values and heights, and for slopes where it knows them.
     Custom(Custom),
 }
@@ -47,6 +52,7 @@ impl Driver {
             Self::Moments(moments) => moments.pixel.check(),
             Self::SlopeMoments(moments) => moments.pixel.check(),
             Self::Pattern(pattern) => pattern.check(),
+            Self::Gabor(gabor) => gabor.check(),
             Self::Custom(custom) => custom.check(),
         }
     }
@@ -60,6 +66,7 @@ impl Driver {
             Self::Moments(_) => "mean and deviation of a value, `Driver::Moments`",
             Self::SlopeMoments(_) => "mean and covariance of slopes, `Driver::SlopeMoments`",
             Self::Pattern(_) => "values and heights without slopes, `Driver::Pattern`",
+            Self::Gabor(_) => "values and heights without slopes, `Driver::Gabor`",
             Self::Custom(custom) if custom.knows_slopes() => "values, heights and slopes, `Driver::Custom`",
             Self::Custom(_) => "values and heights without slopes, `Driver::Custom`",
         }
@@ -68,7 +75,7 @@ impl Driver {
     /// Whether it is a function that knows mean and covariance of its slopes.
     pub(crate) fn knows_slopes(&self) -> bool {
         match self {
-            Self::Moments(_) | Self::SlopeMoments(_) | Self::Pattern(_) => false,
+            Self::Moments(_) | Self::SlopeMoments(_) | Self::Pattern(_) | Self::Gabor(_) => false,
             Self::Custom(custom) => custom.knows_slopes(),
         }
     }
@@ -83,6 +90,7 @@ impl Driver {
         match self {
             Self::Moments(_) | Self::SlopeMoments(_) => None,
             Self::Pattern(pattern) => Some(pattern.function()),
+            Self::Gabor(gabor) => Some(gabor.function()),
             Self::Custom(custom) => Some(custom.function(slopes)),
         }
     }
@@ -95,6 +103,14 @@ impl Driver {
             Self::Moments(moments) => vec![taps(moments.taps)],
             Self::SlopeMoments(moments) => vec![taps(moments.taps)],
             _ => [false, true].into_iter().filter_map(|slopes| self.function(slopes)).flat_map(of).collect(),
+        }
+    }
+
+    /// Turns of the loops in the functions of the shelf that it calls, by their names.
+    pub(crate) fn shelf_trips(&self) -> Vec<(&'static str, usize)> {
+        match self {
+            Self::Gabor(gabor) => gabor.trips(),
+            _ => Vec::new(),
         }
     }
 

@@ -186,6 +186,8 @@ impl Scene {
         trips.extend(driven);
         let (module, info) = linked.parsed();
         let table_bytes = tables.iter().map(Table::bytes).sum();
+        let shelf = self.driver.iter().flat_map(|driver| driver.shelf_trips());
+        trips.extend(shelf.map(|(function, turns)| (function.to_owned(), turns)));
         let calls = exports.iter().filter_map(|export| cost::call(module, info, &export.name, &trips));
         Cost { table_bytes, ..calls.max_by_key(|cost| cost.weight()).unwrap_or_default() }
     }

@@ -8,6 +8,10 @@ mod crossing;
 mod curvature;
 mod footprint;
 mod four_moments;
+mod gabor;
+mod gabor_kernel;
+mod gabor_paper;
+mod gabor_spectrum;
 mod grid;
 mod hash;
 mod height;
@@ -160,6 +164,10 @@ pub fn all() -> Vec<Row> {
         curvature::rows(),
         footprint::rows(),
         four_moments::rows(),
+        gabor::rows(),
+        gabor_kernel::rows(),
+        gabor_paper::rows(),
+        gabor_spectrum::rows(),
         grid::rows(),
         hash::rows(),
         height::rows(),

@@ -1,6 +1,6 @@
 //! Scenes that are driven by functions of the position.
 
-use prefilter::{ColorMap, Custom, Driver, Reflectance, Scene, SlopeTier, Taps};
+use prefilter::{ColorMap, Custom, Driver, Gabor, GaborMethod, Reflectance, Scene, SlopeTier, Spectrum, Taps};
 
 use super::{Result, FAST};
 use crate::maps::named;
@@ -30,8 +30,24 @@ fn waves_slope_covariance(position: vec2f, across: vec2f, along: vec2f) -> vec3f
     let sand = ColorMap::gradient([(-0.3, [0.7, 0.6, 0.4]), (0.3, [0.9, 0.8, 0.6])])?;
     let sand = Scene::new("sand").slope(sand).slope_tier(SlopeTier::Gaussian).tier(FAST);
     let dunes = Scene::new("dunes").combination(grain * sand).driver(driver()).reflectance(Reflectance::Given);
-    Ok(vec![
+    let own = vec![
         ("combination_driven", dunes),
         ("custom_solid", Scene::new("wood").texture(named("terrain")?).tier(FAST).driver(Driver::Custom(rings))),
+    ];
+    Ok([own, gabors()?].concat())
+}
+
+/// Solid Gabor noise: every spectrum and both methods.
+fn gabors() -> Result<Vec<(&'static str, Scene)>> {
+    let map = named("terrain")?;
+    let scene = |gabor| Scene::new("granite").texture(map.clone()).tier(FAST).driver(Driver::Gabor(gabor));
+    let grain = Spectrum::Anisotropic { frequency: [0.3, 2.0, -0.4] };
+    let rings = Spectrum::Hybrid { frequency: (1.0, 2.5), azimuth: (-0.5, 0.5), height: (-0.2, 0.3) };
+    let long = Gabor { spectrum: grain, bandwidth: 0.7, kernels: 3, seed: 9, ..Gabor::default() };
+    Ok(vec![
+        ("gabor_default", scene(Gabor::default())),
+        ("gabor_anisotropic", scene(Gabor { taps: Taps::Four, ..long })),
+        ("gabor_hybrid", scene(Gabor { spectrum: rings, ..Gabor::default() })),
+        ("gabor_paper", scene(Gabor { method: GaborMethod::Paper, ..Gabor::default() })),
     ])
 }

@@ -15,6 +15,9 @@ const NEEDS: &[(&str, &[&str])] = &[
 
 /// Rooms that stand elsewhere, with the reason in the comment.
 const INSTEAD: &[(&str, &str, &str)] = &[
+    // Kernels, and their paper's form, are parts of one driver.
+    ("wgsl/driver/gabor_kernel.wgsl", "src/driver/gabor_kernel", "src/driver/gabor"),
+    ("wgsl/driver/gabor_paper.wgsl", "src/driver/gabor_paper", "src/driver/gabor"),
     // A structure alone: what drivers that are functions return, each of which has its own truth and rows.
     ("wgsl/driver/statistics.wgsl", "src/driver/statistics", "src/driver/function"),
     ("wgsl/driver/statistics.wgsl", "src/reference/statistics", "src/reference/moments"),

@@ -1,0 +1,56 @@
+//! Filtered kernels on the device against the mean of the kernel over the footprint, with the paper's form beside.
+
+use prefilter::gpu::Device;
+use prefilter::reference::gabor_kernel::{convolved, Wave, BANDWIDTH};
+use prefilter::reference::gabor_spectrum::Spectrum;
+use spirv_tests::kernel::Function;
+use spirv_tests::random::Random;
+
+use crate::{place, plane, rms, Outcome};
+
+/// A kernel's words, its spectrum and what they stand for: the phase of a hash, and one frequency.
+fn drawn(random: &mut Random, most: f64) -> ([u32; 2], [f64; 6], Wave) {
+    let words = [random.word(), random.word()];
+    let parts = [most * random.unit(), 0.0, 6.2 * random.unit() - 3.0, 0.0, 2.0 * random.unit() - 1.0, 0.0];
+    let parts = parts.map(|part| f64::from(part as f32));
+    let spectrum = Spectrum { frequency: [parts[0], 0.0], azimuth: [parts[2], 0.0], height: [parts[4], 0.0] };
+    let phase = std::f64::consts::TAU * f64::from(words[1] >> 16) / 65_536.0;
+    (words, parts, Wave { bandwidth: BANDWIDTH, frequency: spectrum.frequency(words), phase })
+}
+
+/// The target: 1e-5 of the exact kernel, for frequencies to 2.5 bandwidths, and every aspect.
+#[test]
+fn filtered_kernels_are_exact() -> Outcome {
+    let device = Device::new()?;
+    let shelf = Function::shelf()?;
+    let by_name = |name: &str| shelf.iter().find(|function| function.name == name).ok_or("not on the shelf");
+    let (ours, paper) = (by_name("gabor_kernel")?, by_name("gabor_paper_kernel")?);
+    println!("minor deviation 0.2/a: error of a kernel, largest; RMS over the kernels' own");
+    for aspect in [1.0, 4.0, 8.0, 16.0] {
+        let mut random = Random::new(aspect as u32);
+        let (mut points, mut expected) = (Vec::new(), Vec::new());
+        while points.len() < 20_000 {
+            let (words, spectrum, wave) = drawn(&mut random, 2.0);
+            let footprint = plane(&mut random, [0.25 * aspect, 0.25]).map(|v| v.map(|part| f64::from(part as f32)));
+            let apart = place(&mut random, 0.8).map(|part| f64::from(part as f32));
+            let words = words.map(f64::from);
+            points.push([&apart[..], &words, &spectrum, &footprint[0], &footprint[1]].concat());
+            expected.push(convolved(&wave, apart, footprint));
+        }
+        let errors = |function: &Function| -> Result<[f64; 2], String> {
+            let found = function.results(&device, &[], &points)?;
+            let errors = || found.iter().zip(&expected).map(|(found, expected)| found[0] - expected);
+            Ok([errors().fold(0.0, |most: f64, error| most.max(error.abs())), rms(errors())])
+        };
+        let scale = rms(expected.iter().copied());
+        let ([most, ours], [paper_most, paper]) = (errors(ours)?, errors(paper)?);
+        println!(
+            "aspect {aspect:>2}: ours {most:.1e}, {:.1e}; paper {paper_most:.1e}, {:.3}",
+            ours / scale,
+            paper / scale
+        );
+        assert!(most < 1e-5, "aspect {aspect}: {most}");
+        assert!(aspect == 1.0 || paper / scale > 1e-2, "the paper's approximation is none at aspect {aspect}");
+    }
+    Ok(())
+}

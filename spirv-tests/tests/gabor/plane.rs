@@ -1,0 +1,118 @@
+//! A plane to the horizon, cut out of the solid: the color beside that of many samples a pixel.
+
+use prefilter::gpu::{Device, Work};
+use prefilter::Kernel::Exact;
+use prefilter::{Driver, Gabor, GaborMethod, Scene, Spectrum, Taps, Tier};
+use spirv_tests::maps::named;
+
+use crate::{kernel, rms, Found, Outcome};
+
+/// The scene of `examples/data/colormaps.json`: pixels across and down. The first row is 2.5 pixels below the horizon,
+/// the focal length 60.
+const WIDTH: usize = 48;
+const HEIGHT: usize = 36;
+
+/// Samples of a pixel along either side.
+const SIDE: usize = 16;
+
+/// Every pixel's place.
+fn pixels() -> Vec<[f32; 3]> {
+    let place = |pixel: usize| [(pixel % WIDTH) as f32 - 23.5, (pixel / WIDTH) as f32 + 2.5, 0.0];
+    (0..WIDTH * HEIGHT).map(place).collect()
+}
+
+/// The point of the ground that a place of the picture sees, on a plane that lies askew in the solid.
+const GROUND: &str = "
+fn ground(pixel: vec2f) -> vec3f {
+    let at = vec2f(pixel.x, 60.0) / pixel.y;
+    return at.x * vec3f(0.8, -0.6, 0.0) + at.y * vec3f(0.36, 0.48, 0.8) + vec3f(3.1, -4.2, 1.7);
+}
+
+fn truth(pixel: vec2f) -> vec3f {
+    var sum = vec3f();
+    for (var sample = 0u; sample < SIDEu * SIDEu; sample++) {
+        let words = hash_triple(vec3u(bitcast<u32>(pixel.x), bitcast<u32>(pixel.y), sample));
+        let jitter = vec2f(words.xy >> vec2u(8u)) / 16777216.0;
+        let stratum = (vec2f(vec2u(sample % SIDEu, sample / SIDEu)) + jitter) / SIDE.0;
+        let away = 0.5 * sqrt(-2.0 * log(max(1.0 - stratum.x, 1e-7)));
+        let turn = 6.28318531 * stratum.y;
+        let at = ground(vec2f(pixel.x + away * cos(turn), max(pixel.y + away * sin(turn), 0.05)));
+        sum += rock_texture(rock_statistics(at, vec3f(), vec3f()).x, 0.0);
+    }
+    return sum / (SIDE.0 * SIDE.0);
+}
+
+fn naive(pixel: vec2f) -> vec3f {
+    return rock_texture(rock_statistics(ground(pixel), vec3f(), vec3f()).x, 0.0);
+}
+
+fn color(pixel: vec2f) -> vec3f {
+    let right = vec3f(0.8, -0.6, 0.0) / pixel.y;
+    let down = -(pixel.x * vec3f(0.8, -0.6, 0.0) + 60.0 * vec3f(0.36, 0.48, 0.8)) / (pixel.y * pixel.y);
+    return rock_color(ground(pixel), right, down);
+}
+";
+
+/// Colors of all pixels by a function of the text.
+fn colors(device: &Device, gabor: Gabor, map: &str, function: &str) -> Found<Vec<[f32; 3]>> {
+    let scene = Scene::new("rock").texture(named(map)?).tier(Tier::ClosedForm(Exact));
+    let module = scene.driver(Driver::Gabor(gabor)).module()?;
+    let points: Vec<f32> = pixels().concat();
+    let call = format!("vec4f({function}({{0}}.xy), 0.0)");
+    let kernel = kernel(device, &module, &GROUND.replace("SIDE", &SIDE.to_string()), &call, 3)?;
+    let work = Work { inputs: &[&points], textures: &[], invocations: points.len() / 3, output: points.len() / 3 * 4 };
+    Ok(kernel.run(&work)?.chunks_exact(4).map(|color| [color[0], color[1], color[2]]).collect())
+}
+
+/// Root mean square over pixels: of all channels, and of each pixel's channel that is farthest off.
+fn apart(one: &[[f32; 3]], other: &[[f32; 3]]) -> [f64; 2] {
+    let pairs = || one.iter().zip(other).map(|(a, b)| [0, 1, 2].map(|at| f64::from(a[at] - b[at]).abs()));
+    let channels: Vec<f64> = pairs().flatten().collect();
+    [rms(channels.into_iter()), rms(pairs().map(|off| off.into_iter().fold(0.0, f64::max)))]
+}
+
+/// The numbers of the gap that a module states.
+fn stated(gabor: Gabor) -> Found<Vec<f64>> {
+    let scene = Scene::new("rock").texture(named("terrain")?).driver(Driver::Gabor(gabor));
+    let module = scene.module()?;
+    let gap = module.explain().split("not in the error:").nth(1).ok_or("no gap")?;
+    Ok(gap.split([' ', '\n', ';']).filter_map(|word| word.parse().ok()).collect())
+}
+
+#[test]
+fn colors_of_a_plane_to_the_horizon() -> Outcome {
+    let device = Device::new()?;
+    let spectrum = Spectrum::Isotropic { frequency: 4.0 };
+    let ours = |taps| Gabor { spectrum, bandwidth: 4.0, taps, ..Gabor::default() };
+    let paper = Gabor { method: GaborMethod::Paper, ..ours(Taps::One) };
+    let methods = [paper, ours(Taps::One), ours(Taps::Two), ours(Taps::Four), ours(Taps::Eight)];
+    let mut figures = Vec::new();
+    for map in ["terrain", "steps6"] {
+        let (mut sums, mut farthest) = ([0.0; 6], [0.0; 6]);
+        for seed in 1..=4 {
+            let seeded = |gabor: Gabor| Gabor { seed, ..gabor };
+            let truth = colors(&device, seeded(paper), map, "truth")?;
+            let mut add = |which: usize, found: &[[f32; 3]]| {
+                let [all, most] = apart(found, &truth).map(|off| 0.25 * off * off);
+                sums[which] += all;
+                farthest[which] += most;
+            };
+            add(5, &colors(&device, seeded(paper), map, "naive")?);
+            for (which, &gabor) in methods.iter().enumerate() {
+                add(which, &colors(&device, seeded(gabor), map, "color")?);
+            }
+        }
+        let [paper, one, two, four, eight, naive] = sums.map(f64::sqrt);
+        println!("{map}: paper {paper:.4}, ours {one:.4}, taps {two:.4} {four:.4} {eight:.4}, naive {naive:.4}");
+        println!("  by the farthest channel: {:.4?}", farthest.map(f64::sqrt));
+        assert!(one < 0.75 * paper && two < 0.8 * one && four < 0.75 * two && eight < 0.8 * four, "{map}");
+        figures.push(sums.map(f64::sqrt));
+    }
+    for (which, &gabor) in methods.iter().enumerate() {
+        let measured = [figures[0][which], figures[1][which], figures[0][5], figures[1][5]];
+        let stated = stated(gabor)?;
+        let off = stated.iter().zip(&measured).map(|(stated, measured)| (stated - measured).abs() / measured);
+        assert!(stated.len() == 4 && off.fold(0.0, f64::max) < 0.06, "{stated:?}, not {measured:?}");
+    }
+    Ok(())
+}

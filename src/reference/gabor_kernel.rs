@@ -1,0 +1,157 @@
+//! Kernels of solid Gabor noise, by their definition, and their integrals over a footprint.
+
+use std::f64::consts::{PI, TAU};
+
+use super::gabor_spectrum::Spectrum;
+
+/// Bandwidth of a kernel, in 1/cells.
+pub const BANDWIDTH: f64 = 0.8;
+
+/// How far a kernel reaches, in cells.
+pub const REACH: f64 = 1.5;
+
+/// A kernel: exp(−π a² |r|²) cos(2π ω·r + φ).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Wave {
+    /// a, in 1/cells.
+    pub bandwidth: f64,
+    /// ω, in cycles a cell.
+    pub frequency: [f64; 3],
+    /// φ, in radians.
+    pub phase: f64,
+}
+
+/// The scalar product.
+pub fn product(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// A kernel at a distance from its center.
+pub fn kernel(wave: &Wave, apart: [f64; 3]) -> f64 {
+    let Wave { bandwidth, frequency, phase } = *wave;
+    libm::exp(-PI * bandwidth * bandwidth * product(apart, apart)) * libm::cos(TAU * product(frequency, apart) + phase)
+}
+
+/// The mean of a kernel over the points apart + u across + v along, u and v being standard normal and independent.
+///
+/// With w = (u, v) the kernel is the real part of exp(c + bᵀw − ½ wᵀK w), and the mean that of
+/// exp(c + ½ bᵀ(I + K)⁻¹b)/√|I + K|: the integral of a Gaussian in the plane of u and v, with complex b.
+pub fn convolved(wave: &Wave, apart: [f64; 3], [across, along]: [[f64; 3]; 2]) -> f64 {
+    let Wave { bandwidth, frequency, phase } = *wave;
+    let narrow = TAU * bandwidth * bandwidth;
+    let [uu, uv, vv] = [product(across, across), product(across, along), product(along, along)];
+    let [uu, uv, vv] = [1.0 + narrow * uu, narrow * uv, 1.0 + narrow * vv];
+    let determinant = uu * vv - uv * uv;
+    let real = [across, along].map(|vector| -narrow * product(apart, vector));
+    let imaginary = [across, along].map(|vector| TAU * product(frequency, vector));
+    let form = |a: [f64; 2], b: [f64; 2]| {
+        (vv * a[0] * b[0] - uv * (a[0] * b[1] + a[1] * b[0]) + uu * a[1] * b[1]) / determinant
+    };
+    let exponent = -0.5 * narrow * product(apart, apart) + 0.5 * (form(real, real) - form(imaginary, imaginary));
+    let angle = TAU * product(frequency, apart) + phase + form(real, imaginary);
+    libm::exp(exponent) * libm::cos(angle) / determinant.sqrt()
+}
+
+/// The square of a kernel's distance in the metric of its filtered envelope, rᵀ(I + 2π a² Σ)⁻¹r.
+pub fn distance(apart: [f64; 3], footprint: [[f64; 3]; 2]) -> f64 {
+    let inverse = inverse(grown(footprint));
+    product(apart, inverse.map(|row| product(row, apart)))
+}
+
+/// The inverse of a matrix, by the cross products of its rows.
+fn inverse([x, y, z]: [[f64; 3]; 3]) -> [[f64; 3]; 3] {
+    let columns = [cross(y, z), cross(z, x), cross(x, y)];
+    let determinant = product(x, columns[0]);
+    [0, 1, 2].map(|row| [0, 1, 2].map(|column| columns[column][row] / determinant))
+}
+
+/// The cross product.
+pub fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+/// The vectors of I − M, M being (I + 2π a² Σ)⁻¹, the factor L = (x, y; 0, z) of the inverse of I + 2π a² JᵀJ, √|M|
+/// and the square of how far a kernel reaches along the longest axis.
+///
+/// The first vector is that of the footprint without `along`, the second what `along` adds.
+pub fn factored([across, along]: [[f64; 3]; 2]) -> [f64; 11] {
+    let metric = |footprint| inverse(grown(footprint));
+    let [none, one, both] = [[[0.0; 3]; 2], [across, [0.0; 3]], [across, along]].map(metric);
+    // The vector v of a difference v vᵀ of two matrices, on whose line `toward` has a part.
+    let difference = |from: [[f64; 3]; 3], to: [[f64; 3]; 3], toward: [f64; 3]| {
+        let image: [f64; 3] = std::array::from_fn(|row| product(from[row], toward) - product(to[row], toward));
+        let length = product(image, toward).max(0.0).sqrt();
+        image.map(|part| if length > 0.0 { part / length } else { 0.0 })
+    };
+    let ([a, b, c], [d, e, f]) = (difference(none, one, across), difference(one, both, along));
+    let narrow = TAU * BANDWIDTH * BANDWIDTH;
+    let gram = [product(across, across), product(across, along), product(along, along)].map(|part| narrow * part);
+    let flat = inverse([[1.0 + gram[0], gram[1], 0.0], [gram[1], 1.0 + gram[2], 0.0], [0.0, 0.0, 1.0]]);
+    let z = flat[1][1].sqrt();
+    let y = flat[0][1] / z;
+    let x = (flat[0][0] - y * y).max(0.0).sqrt();
+    let volume = product(both[0], cross(both[1], both[2]));
+    [a, b, c, d, e, f, x, y, z, volume.sqrt(), REACH * REACH * longest(grown([across, along]))]
+}
+
+/// The largest eigenvalue of a symmetric matrix whose eigenvalues are positive, by squaring it again and again.
+fn longest(matrix: [[f64; 3]; 3]) -> f64 {
+    let times = |a: [[f64; 3]; 3], b: [[f64; 3]; 3]| a.map(|row| [0, 1, 2].map(|at| product(row, b[at])));
+    let trace = |m: [[f64; 3]; 3]| m[0][0] + m[1][1] + m[2][2];
+    let power = (0..48).fold(matrix, |power, _| {
+        let scale = trace(power);
+        let scaled = power.map(|row| row.map(|part| part / scale));
+        times(scaled, scaled)
+    });
+    trace(times(power, matrix)) / trace(power)
+}
+
+/// I + 2π a² Σ.
+fn grown(footprint: [[f64; 3]; 2]) -> [[f64; 3]; 3] {
+    let narrow = TAU * BANDWIDTH * BANDWIDTH;
+    let entry = |row: usize, column: usize| {
+        f64::from(u8::from(row == column)) + narrow * footprint.iter().map(|v| v[row] * v[column]).sum::<f64>()
+    };
+    [0, 1, 2].map(|row| [0, 1, 2].map(|column| entry(row, column)))
+}
+
+/// A function's gradient, by a symmetric difference of fourth order.
+fn gradient(of: impl Fn([f64; 3]) -> f64, at: [f64; 3]) -> [f64; 3] {
+    const STEP: f64 = 2e-4;
+    [0, 1, 2].map(|axis| {
+        let moved = |steps: f64| {
+            let mut moved = at;
+            moved[axis] += steps * STEP;
+            of(moved)
+        };
+        (8.0 * (moved(1.0) - moved(-1.0)) - (moved(2.0) - moved(-2.0))) / (12.0 * STEP)
+    })
+}
+
+/// The kernel with these random words, 0 beyond its reach, and its gradient.
+pub fn counted(apart: [f64; 3], words: [u32; 2], spectrum: &Spectrum, footprint: [[f64; 3]; 2]) -> (f64, [f64; 3]) {
+    if distance(apart, footprint) >= REACH * REACH {
+        return (0.0, [0.0; 3]);
+    }
+    let phase = TAU * f64::from(words[1] >> 16) / 65_536.0;
+    let wave = Wave { bandwidth: BANDWIDTH, frequency: spectrum.frequency(words), phase };
+    let at = |apart| convolved(&wave, apart, footprint);
+    (at(apart), gradient(at, apart))
+}
+
+/// The gradient before the footprint's matrix: the vector g with the gradient −2π (I + 2π a² Σ)⁻¹ g.
+pub fn spread(gradient: [f64; 3], footprint: [[f64; 3]; 2]) -> [f64; 3] {
+    grown(footprint).map(|row| -product(row, gradient) / TAU)
+}
+
+/// The words of a cell.
+pub fn words(cell: [i64; 3], seed: u32) -> [u32; 3] {
+    let moved = [2_654_435_769u32, 2_246_822_507, 3_266_489_909].map(|odd| odd.wrapping_mul(seed));
+    [0, 1, 2].map(|axis| (cell[axis] as u32).wrapping_add(moved[axis]))
+}
+
+/// The place of a kernel in its cell, by the bits of a word.
+pub fn place(word: u32) -> [f64; 3] {
+    let bits = [(word >> 21, 2048.0), (word >> 10 & 2047, 2048.0), (word & 1023, 1024.0)];
+    bits.map(|(bits, count)| (f64::from(bits) + 0.5) / count)
+}
