@@ -159,6 +159,7 @@ pub use prefilter_macros::include_wgsl;
 pub use scene::JointMap;
 pub use scene::{Combination, Scene};
 pub use shader::{link, Shader};
+pub use table::learned::Learned;
 pub use table::Table;
 pub use transfer::color_map::{ColorMap, Colors};
 pub use transfer::irradiance::Irradiance;

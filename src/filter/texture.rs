@@ -9,6 +9,7 @@ use crate::accuracy::{promise, Bound, Ranges};
 use crate::reference::normal::{cumulative, density};
 use crate::table::bake::Plan;
 use crate::table::grid::{Axis, Spacing};
+use crate::table::learned::Learned;
 use crate::table::Table;
 use crate::transfer::color_map::{ColorMap, Colors};
 use crate::transfer::pieces::Pieces;
@@ -215,15 +216,24 @@ fn dynamic(map: &ColorMap, ranges: Ranges) -> Filter {
     Filter { body, tables: vec![table], bound, trips: map.knots().len() }
 }
 
-/// The means' axis of constant colors fits the map; that of dynamic ones is the same for all maps.
 fn table(map: &ColorMap, colors: Colors, ranges: Ranges) -> Filter {
+    by_deviation(map, colors, ranges, |plan| plan.of_values("table"))
+}
+
+/// The table over values as those of an image.
+pub(super) fn learned(map: &ColorMap, colors: Colors, ranges: Ranges, image: &Learned) -> Filter {
+    by_deviation(map, colors, ranges, |plan| plan.of_learned_values("table", image))
+}
+
+/// The means' axis of constant colors fits the map; that of dynamic ones is the same for all maps.
+fn by_deviation(map: &ColorMap, colors: Colors, ranges: Ranges, bake: impl FnOnce(Plan<'_>) -> Table) -> Filter {
     let (low, high) = (f64::from(ranges.mean.0), f64::from(ranges.mean.1));
     let means = match colors {
         Colors::Constant => Axis::fitted(low, high, 512, &bends(map)).in_f32(),
         Colors::Dynamic => Axis::round(low, high, 512).in_f32(),
     };
     let deviations = Axis { low: 0.0, high: ranges.deviation.into(), count: 16, spacing: Spacing::CubeRoot };
-    let baked = Plan { map: &map.reference(), means, deviations, judged: ranges.mean }.of_values("table");
+    let baked = bake(Plan { map: &map.reference(), means, deviations, judged: ranges.mean });
     let (low, high, reach) = (number(means.low as f32), number(means.high as f32), number(ranges.deviation));
     tabulated(map, &format!("texture_table(mean, deviation, {low}, {high}, {reach}"), baked)
 }

@@ -5,12 +5,13 @@ use std::sync::OnceLock;
 
 use super::grid::{Axis, Spacing};
 use super::lattice::{Judged, Lattice, FLAT};
+use super::learned::Learned;
 use super::strip::Strip;
 use super::Table;
 use crate::reference::beta::Beta;
 use crate::reference::height;
 use crate::reference::heights::lambda_of_skewness;
-use crate::reference::texture::PiecewiseLinear;
+use crate::reference::texture::{mean_by_parts, PiecewiseLinear};
 
 /// The slices of a table of heights, even in the skewness up to that of a Λ of 1e4: they stand in
 /// `wgsl/filter/height.wgsl` too.
@@ -41,6 +42,14 @@ fn strips() -> &'static [Strip] {
     })
 }
 
+/// The smallest and the largest value of each channel.
+fn hull(map: &PiecewiseLinear) -> [[f64; 2]; 4] {
+    std::array::from_fn(|channel| {
+        let values = map.knots.iter().flat_map(|knot| [knot.1[channel], knot.2[channel]]);
+        [values.clone().fold(f64::INFINITY, f64::min), values.fold(f64::NEG_INFINITY, f64::max)]
+    })
+}
+
 impl Plan<'_> {
     /// A table of means over normal values, with its error as measured.
     pub(crate) fn of_values(self, name: &str) -> Table {
@@ -60,6 +69,23 @@ impl Plan<'_> {
         let truth = |mean: f64, part: f64| beta(mean, part).mean_by_parts(self.map);
         let texels = lattice.texels(|_, mean, part| near(mean, part));
         let judged = Judged { low, high, least: FLOOR, third: 0.0 };
+        let error = lattice.error(&texels, self.map, judged, near, truth);
+        lattice.table(name, texels, error)
+    }
+
+    /// A table of means over values as those of an image, with its error as measured between texels.
+    pub(crate) fn of_learned_values(self, name: &str, image: &Learned) -> Table {
+        let (lattice, normal) = (self.lattice(FLAT), &strips()[0]);
+        let lesson = image.lesson(self.map, |mean, deviation| normal.color(self.map, mean, deviation));
+        let hull = hull(self.map);
+        let taught = |color: [f64; 4], mean: f64, deviation: f64| -> [f64; 4] {
+            let more = lesson.at(mean, deviation);
+            std::array::from_fn(|channel| (color[channel] + more[channel]).clamp(hull[channel][0], hull[channel][1]))
+        };
+        let near = |mean: f64, deviation: f64| taught(normal.color(self.map, mean, deviation), mean, deviation);
+        let truth = |mean: f64, deviation: f64| taught(mean_by_parts(self.map, mean, deviation), mean, deviation);
+        let texels = lattice.texels(|_, mean, deviation| near(mean, deviation));
+        let judged = Judged { low: self.judged.0.into(), high: self.judged.1.into(), least: FLOOR, third: 0.0 };
         let error = lattice.error(&texels, self.map, judged, near, truth);
         lattice.table(name, texels, error)
     }

@@ -3,6 +3,7 @@
 pub(crate) mod bake;
 pub mod grid;
 mod lattice;
+pub(crate) mod learned;
 pub(crate) mod rice;
 pub(crate) mod slope_map;
 pub(crate) mod strip;
