@@ -132,6 +132,7 @@ pub mod transfer;
 
 pub use accuracy::{Accuracy, Bound, Ranges};
 pub use cost::Cost;
+pub use driver::cosines::Cosines;
 pub use driver::custom::Custom;
 pub use driver::four_moments::FourMomentMipmap;
 pub use driver::gabor::{Gabor, GaborMethod};

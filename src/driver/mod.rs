@@ -1,5 +1,6 @@
 //! What a footprint knows of the function that drives a material: its mean and deviation there, or those of its slopes.
 
+pub mod cosines;
 pub mod custom;
 pub mod four_moments;
 pub mod function;
@@ -15,6 +16,7 @@ pub mod slope_mipmap;
 pub mod slope_moments;
 pub mod taps;
 
+use cosines::Cosines;
 use custom::Custom;
 use function::Function;
 use gabor::Gabor;
@@ -38,6 +40,8 @@ pub enum Driver {
     Pattern(Pattern),
     /// Solid noise of waves at random places, in three coordinates: for values and heights.
     Gabor(Gabor),
+    /// A sum of cosines, such as waves on water: for values, heights and slopes.
+    Cosines(Cosines),
     /// A function of your own: for values and heights, and for slopes where it knows them.
     Custom(Custom),
 }
@@ -53,6 +57,7 @@ impl Driver {
             Self::SlopeMoments(moments) => moments.pixel.check(),
             Self::Pattern(pattern) => pattern.check(),
             Self::Gabor(gabor) => gabor.check(),
+            Self::Cosines(cosines) => cosines.check(),
             Self::Custom(custom) => custom.check(),
         }
     }
@@ -67,6 +72,7 @@ impl Driver {
             Self::SlopeMoments(_) => "mean and covariance of slopes, `Driver::SlopeMoments`",
             Self::Pattern(_) => "values and heights without slopes, `Driver::Pattern`",
             Self::Gabor(_) => "values and heights without slopes, `Driver::Gabor`",
+            Self::Cosines(_) => "values, heights and slopes, `Driver::Cosines`",
             Self::Custom(custom) if custom.knows_slopes() => "values, heights and slopes, `Driver::Custom`",
             Self::Custom(_) => "values and heights without slopes, `Driver::Custom`",
         }
@@ -76,6 +82,7 @@ impl Driver {
     pub(crate) fn knows_slopes(&self) -> bool {
         match self {
             Self::Moments(_) | Self::SlopeMoments(_) | Self::Pattern(_) | Self::Gabor(_) => false,
+            Self::Cosines(_) => true,
             Self::Custom(custom) => custom.knows_slopes(),
         }
     }
@@ -91,6 +98,7 @@ impl Driver {
             Self::Moments(_) | Self::SlopeMoments(_) => None,
             Self::Pattern(pattern) => Some(pattern.function()),
             Self::Gabor(gabor) => Some(gabor.function()),
+            Self::Cosines(cosines) => Some(cosines.function(slopes)),
             Self::Custom(custom) => Some(custom.function(slopes)),
         }
     }

@@ -4,6 +4,7 @@
 
 pub mod beta;
 pub mod combine;
+pub mod cosines;
 pub mod crossing;
 pub mod curvature;
 pub mod footprint;

@@ -4,6 +4,7 @@
 //! never repeats a shader's formula.
 
 mod combine;
+mod cosines;
 mod crossing;
 mod curvature;
 mod footprint;
@@ -160,6 +161,7 @@ impl Row {
 pub fn all() -> Vec<Row> {
     let rooms = [
         combine::rows(),
+        cosines::rows(),
         crossing::rows(),
         curvature::rows(),
         footprint::rows(),
