@@ -139,6 +139,7 @@ pub use driver::gabor::{Gabor, GaborMethod};
 pub use driver::gabor_spectrum::Spectrum;
 pub use driver::moment_mipmap::{Edge, MomentMipmap};
 pub use driver::moments::Moments;
+pub use driver::noise::{Noise, NoiseBasis, NoiseMethod};
 pub use driver::pattern::Pattern;
 pub use driver::slope_mipmap::SlopeMipmap;
 pub use driver::slope_moments::SlopeMoments;

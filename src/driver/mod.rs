@@ -21,6 +21,7 @@ use custom::Custom;
 use function::Function;
 use gabor::Gabor;
 use moments::Moments;
+use noise::Noise;
 use pattern::Pattern;
 use slope_moments::SlopeMoments;
 use taps::Taps;
@@ -36,6 +37,8 @@ pub enum Driver {
     Moments(Moments),
     /// Mean and covariance of the slopes of a map of normals or heights: for slopes, steepness and irradiance.
     SlopeMoments(SlopeMoments),
+    /// Octaves of noise: for values and heights.
+    Noise(Noise),
     /// One of two values, by stripes, a checker or a grid: for values and heights.
     Pattern(Pattern),
     /// Solid noise of waves at random places, in three coordinates: for values and heights.
@@ -55,6 +58,7 @@ impl Driver {
         match self {
             Self::Moments(moments) => moments.pixel.check(),
             Self::SlopeMoments(moments) => moments.pixel.check(),
+            Self::Noise(noise) => noise.check(),
             Self::Pattern(pattern) => pattern.check(),
             Self::Gabor(gabor) => gabor.check(),
             Self::Cosines(cosines) => cosines.check(),
@@ -70,6 +74,7 @@ impl Driver {
             }
             Self::Moments(_) => "mean and deviation of a value, `Driver::Moments`",
             Self::SlopeMoments(_) => "mean and covariance of slopes, `Driver::SlopeMoments`",
+            Self::Noise(_) => "values and heights without slopes, `Driver::Noise`",
             Self::Pattern(_) => "values and heights without slopes, `Driver::Pattern`",
             Self::Gabor(_) => "values and heights without slopes, `Driver::Gabor`",
             Self::Cosines(_) => "values, heights and slopes, `Driver::Cosines`",
@@ -81,7 +86,8 @@ impl Driver {
     /// Whether it is a function that knows mean and covariance of its slopes.
     pub(crate) fn knows_slopes(&self) -> bool {
         match self {
-            Self::Moments(_) | Self::SlopeMoments(_) | Self::Pattern(_) | Self::Gabor(_) => false,
+            Self::Moments(_) | Self::SlopeMoments(_) => false,
+            Self::Noise(_) | Self::Pattern(_) | Self::Gabor(_) => false,
             Self::Cosines(_) => true,
             Self::Custom(custom) => custom.knows_slopes(),
         }
@@ -96,6 +102,7 @@ impl Driver {
     pub(crate) fn function(&self, slopes: bool) -> Option<Function> {
         match self {
             Self::Moments(_) | Self::SlopeMoments(_) => None,
+            Self::Noise(noise) => Some(noise.function()),
             Self::Pattern(pattern) => Some(pattern.function()),
             Self::Gabor(gabor) => Some(gabor.function()),
             Self::Cosines(cosines) => Some(cosines.function(slopes)),

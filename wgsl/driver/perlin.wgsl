@@ -47,3 +47,44 @@ fn perlin_noise(position: vec2f, period: vec2f, seed: u32) -> vec3f {
     let steep = fade.zw * vec2f(across.x + fade.y * (across.y - across.x), high - low);
     return vec3f(low + fade.y * (high - low), below + fade.y * (above - below) + steep);
 }
+
+/// 1 − ρ(s/√2): the share of the power that a footprint of 1/√2 times these deviations, in cells, takes from the noise.
+///
+/// `deviations` are those along the major and the minor axis; beyond 1e3 they count as 1e3. With A(τ) and B(τ) for the
+/// correlations of a point's weight and of its weighted line along one axis, ρ is a mean of ½ (A B + B A) over normal
+/// offsets: of both factors 1 − s² N(s)/D(s) is a fit, exact to the order s² and as s^−1 and s^−3 far away, the largest
+/// error in s from 0.005 to 1000 minimized to 3.3e-4 of each. The footprint's turn against the lattice changes ρ by
+/// less than 0.013.
+///
+/// Source: the autocorrelation of the definition; a fit, which a row measures against quadrature.
+/// Domain: deviations log in [0.004, 100].
+/// Error: 4e-4 absolute; the fit.
+fn perlin_lost(deviations: vec2f) -> f32 {
+    let s = clamp(deviations, vec2f(), vec2f(1e3));
+    let tail = 97.6903487 + 183.927984 * s;
+    let all = 1.0 / (1.0 + s * (12.1188286 + s * (22.5310434 + s * (80.0358548 + s * tail))));
+    let a = all * s * s * (1.82320442 + s * (25.0145307 + s * (5.03403862 + 183.927984 * s)));
+    let b = all * s * s * (6.56074766 + s * (80.0358548 + s * tail));
+    return 0.5 * (a.x + b.x + a.y + b.y - (a.x * b.y + b.x * a.y));
+}
+
+/// How a point of the noise stands for a footprint whose deviations along the major and the minor axis, in cells, are
+/// given: (multiplier, coupling, rest).
+///
+/// The footprint's mean is best told as the multiplier times the noise. Around that the variance is, over the noise's
+/// own, the rest, and |Σ^½ ∇n|² times the square of the coupling. All three together lose what the multiplier leaves:
+/// rest + coupling² 8.38395 tr Σ is 1 − multiplier².
+///
+/// Source: the mean and the variance, given the noise and its gradient at the point, of a Gaussian process of the same
+/// autocorrelation. The coupling is fitted to E|m|²/tr Σ, m being the regression on the gradient.
+/// Domain: deviations log in [0.004, 100].
+/// Error: 1.2e-2 absolute; the fit of the coupling.
+fn perlin_filter(deviations: vec2f) -> vec3f {
+    let lost = perlin_lost(deviations);
+    let s = clamp(deviations, vec2f(), vec2f(1e3));
+    let u = s * s;
+    let wide = 14.3391429 + 38.7244725 * s.x + s.y * (203.802549 * s.y - 60.3494511);
+    let inverse = 1.0 + u.x * wide + 14.0754616 * u.y;
+    let share = 8.38395208 * (u.x + u.y) / inverse;
+    return vec3f(1.0 - lost, inverseSqrt(inverse), max(lost * (2.0 - lost) - share, 0.0));
+}

@@ -40,3 +40,37 @@ fn simplex_noise(position: vec2f, seed: u32) -> vec3f {
         + simplex_part(middle, perlin_slope(corner + step, seed))
         + simplex_part(far, perlin_slope(corner + 1.0, seed));
 }
+
+/// 1 − ρ(s/√2): the share of the power that a footprint of 1/√2 times these deviations takes from the noise.
+///
+/// `deviations` are those along the major and the minor axis; beyond 1e3 they count as 1e3. As the kernel is near a
+/// Gaussian, ρ is near a mean of ½ (A B + B A) with factors along the axes, as `perlin_lost` has it: both 1 − s² N(s)/
+/// D(s), fitted to ρ together, the largest error in deviations from 0.01 to 100 and aspects to 300 minimized to 4.4e-5.
+///
+/// Source: the autocorrelation of the definition; a fit, which a row measures against quadrature.
+/// Domain: deviations log in [0.004, 100].
+/// Error: 1e-4 absolute; the fit.
+fn simplex_lost(deviations: vec2f) -> f32 {
+    let s = clamp(deviations, vec2f(), vec2f(1e3));
+    let tail = 280.935504 + 627.624157 * s;
+    let all = 1.0 / (1.0 + s * (6.33333160 + s * (30.7481155 + s * (114.324221 + s * tail))));
+    let a = all * s * s * (5.36359378 + s * (32.0058501 + s * (100.218027 + 627.624157 * s)));
+    let b = all * s * s * (17.4935491 + s * (114.324221 + s * tail));
+    return 0.5 * (a.x + b.x + a.y + b.y - (a.x * b.y + b.x * a.y));
+}
+
+/// How a point of the noise stands for a footprint whose deviations along the major and the minor axis are given:
+/// (multiplier, coupling, rest), as `perlin_filter` has it.
+///
+/// Source: as `perlin_filter`; rest + coupling² 160/7 tr Σ is 1 − multiplier².
+/// Domain: deviations log in [0.004, 100].
+/// Error: 1.1e-2 absolute; the fit of the coupling.
+fn simplex_filter(deviations: vec2f) -> vec3f {
+    let lost = simplex_lost(deviations);
+    let s = clamp(deviations, vec2f(), vec2f(1e3));
+    let u = s * s;
+    let wide = 35.6361843 + 172.031197 * s.x + s.y * (1524.14801 * s.y - 262.329808);
+    let inverse = 1.0 + u.x * wide + 37.0481602 * u.y;
+    let share = 22.8571429 * (u.x + u.y) / inverse;
+    return vec3f(1.0 - lost, inverseSqrt(inverse), max(lost * (2.0 - lost) - share, 0.0));
+}

@@ -1,8 +1,19 @@
 //! Lattices in the plane: which points stand about a position, their weights and their words.
 
 use prefilter::reference::lattice::{weight, word, wrapped};
+use prefilter::reference::retained::Noise;
 
 use super::Row;
+
+/// What a footprint of 1/√2 times the first two numbers takes from a noise.
+pub(super) fn lost(noise: Noise, deviations: &[f64]) -> f64 {
+    1.0 - noise.retained([deviations[0], deviations[1]].map(|deviation| deviation / 2f64.sqrt()))
+}
+
+/// A major deviation is not below the minor one.
+pub(super) fn ordered(point: &[f64]) -> bool {
+    point[0] >= point[1]
+}
 
 /// Whole numbers, as the device takes them.
 pub(super) fn whole(parts: &[f64]) -> [i64; 2] {

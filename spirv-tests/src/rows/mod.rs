@@ -9,6 +9,7 @@ mod crossing;
 mod curvature;
 mod footprint;
 mod four_moments;
+mod fractal;
 mod gabor;
 mod gabor_kernel;
 mod gabor_paper;
@@ -170,6 +171,7 @@ pub fn all() -> Vec<Row> {
         gabor_kernel::rows(),
         gabor_paper::rows(),
         gabor_spectrum::rows(),
+        fractal::rows(),
         grid::rows(),
         hash::rows(),
         height::rows(),

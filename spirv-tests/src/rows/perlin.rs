@@ -2,8 +2,9 @@
 
 use prefilter::reference::lattice::gradient;
 use prefilter::reference::perlin::{noise, slope};
+use prefilter::reference::retained::Noise;
 
-use super::lattice::{place, whole};
+use super::lattice::{lost, ordered, place, whole};
 use super::Row;
 
 /// A part of a direction as the table has it: in f32, and 0 where the f64 of π leaves 1e-16.
@@ -23,5 +24,7 @@ pub(super) fn rows() -> Vec<Row> {
             let [along, across] = gradient(position, |at| noise(at, period, seed));
             [noise(position, period, seed), along, across]
         }),
+        Row::new("perlin_lost", |x| [lost(Noise::Perlin, x)]),
+        Row::new("perlin_filter", |x| Noise::Perlin.filter([x[0], x[1]])).only_where(ordered),
     ]
 }

@@ -1,8 +1,10 @@
 //! Simplex noise: sums over lattice points, gradients by differences.
 
 use prefilter::reference::lattice::gradient;
+use prefilter::reference::retained::Noise;
 use prefilter::reference::simplex::{noise, part};
 
+use super::lattice::{lost, ordered};
 use super::Row;
 
 pub(super) fn rows() -> Vec<Row> {
@@ -17,5 +19,7 @@ pub(super) fn rows() -> Vec<Row> {
             let [along, across] = gradient(position, |at| noise(at, seed));
             [noise(position, seed), along, across]
         }),
+        Row::new("simplex_lost", |x| [lost(Noise::Simplex, x)]),
+        Row::new("simplex_filter", |x| Noise::Simplex.filter([x[0], x[1]])).only_where(ordered),
     ]
 }

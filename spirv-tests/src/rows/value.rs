@@ -1,9 +1,10 @@
 //! Value noise: sums over lattice points, gradients by differences.
 
 use prefilter::reference::lattice::gradient;
+use prefilter::reference::retained::Noise;
 use prefilter::reference::value::{noise, value};
 
-use super::lattice::{place, whole};
+use super::lattice::{lost, ordered, place, whole};
 use super::Row;
 
 pub(super) fn rows() -> Vec<Row> {
@@ -14,5 +15,7 @@ pub(super) fn rows() -> Vec<Row> {
             let [along, across] = gradient(position, |at| noise(at, period, seed));
             [noise(position, period, seed), along, across]
         }),
+        Row::new("value_lost", |x| [lost(Noise::Value, x)]),
+        Row::new("value_filter", |x| Noise::Value.filter([x[0], x[1]])).only_where(ordered),
     ]
 }

@@ -2,6 +2,8 @@
 
 use prefilter::{ColorMap, Custom, Driver, Gabor, GaborMethod, Reflectance, Scene, SlopeTier, Spectrum, Taps};
 
+mod noises;
+
 use super::{Result, FAST};
 use crate::maps::named;
 
@@ -34,7 +36,7 @@ fn waves_slope_covariance(position: vec2f, across: vec2f, along: vec2f) -> vec3f
         ("combination_driven", dunes),
         ("custom_solid", Scene::new("wood").texture(named("terrain")?).tier(FAST).driver(Driver::Custom(rings))),
     ];
-    Ok([own, gabors()?].concat())
+    Ok([own, gabors()?, noises::all()?].concat())
 }
 
 /// Solid Gabor noise: every spectrum and both methods.
