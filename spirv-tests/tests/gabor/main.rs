@@ -4,6 +4,7 @@
 mod cost;
 mod edge;
 mod kernels;
+mod limits;
 mod plane;
 mod references;
 mod samples;
