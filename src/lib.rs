@@ -137,6 +137,8 @@ pub use driver::custom::Custom;
 pub use driver::four_moments::FourMomentMipmap;
 pub use driver::gabor::{Gabor, GaborMethod};
 pub use driver::gabor_spectrum::Spectrum;
+pub use driver::indicator_mipmap::IndicatorMipmap;
+pub use driver::indicators::Indicators;
 pub use driver::moment_mipmap::{Edge, MomentMipmap};
 pub use driver::moments::Moments;
 pub use driver::noise::{Noise, NoiseBasis, NoiseMethod};

@@ -6,6 +6,8 @@ pub mod four_moments;
 pub mod function;
 pub mod gabor;
 pub mod gabor_spectrum;
+pub mod indicator_mipmap;
+pub mod indicators;
 pub mod moment_mipmap;
 pub mod moments;
 pub mod noise;
@@ -20,6 +22,7 @@ use cosines::Cosines;
 use custom::Custom;
 use function::Function;
 use gabor::Gabor;
+use indicators::Indicators;
 use moments::Moments;
 use noise::Noise;
 use pattern::Pattern;
@@ -35,6 +38,8 @@ use crate::Error;
 pub enum Driver {
     /// Mean and deviation of a tabulated function, an image: for values and heights.
     Moments(Moments),
+    /// Shares of an image that each band of a map of bands covers: for values.
+    Indicators(Indicators),
     /// Mean and covariance of the slopes of a map of normals or heights: for slopes, steepness and irradiance.
     SlopeMoments(SlopeMoments),
     /// Octaves of noise: for values and heights.
@@ -57,6 +62,7 @@ impl Driver {
     pub(crate) fn check(&self) -> Result<(), Error> {
         match self {
             Self::Moments(moments) => moments.pixel.check(),
+            Self::Indicators(indicators) => indicators.pixel.check(),
             Self::SlopeMoments(moments) => moments.pixel.check(),
             Self::Noise(noise) => noise.check(),
             Self::Pattern(pattern) => pattern.check(),
@@ -73,6 +79,7 @@ impl Driver {
                 "mean and deviation of a height and its slopes, `Driver::Moments` with `slopes`"
             }
             Self::Moments(_) => "mean and deviation of a value, `Driver::Moments`",
+            Self::Indicators(_) => "shares of a map of two to nine bands, `Driver::Indicators`",
             Self::SlopeMoments(_) => "mean and covariance of slopes, `Driver::SlopeMoments`",
             Self::Noise(_) => "values and heights without slopes, `Driver::Noise`",
             Self::Pattern(_) => "values and heights without slopes, `Driver::Pattern`",
@@ -86,7 +93,7 @@ impl Driver {
     /// Whether it is a function that knows mean and covariance of its slopes.
     pub(crate) fn knows_slopes(&self) -> bool {
         match self {
-            Self::Moments(_) | Self::SlopeMoments(_) => false,
+            Self::Moments(_) | Self::Indicators(_) | Self::SlopeMoments(_) => false,
             Self::Noise(_) | Self::Pattern(_) | Self::Gabor(_) => false,
             Self::Cosines(_) => true,
             Self::Custom(custom) => custom.knows_slopes(),
@@ -101,7 +108,7 @@ impl Driver {
     /// What it says of a footprint where it is a function of the position, with its slopes or without.
     pub(crate) fn function(&self, slopes: bool) -> Option<Function> {
         match self {
-            Self::Moments(_) | Self::SlopeMoments(_) => None,
+            Self::Moments(_) | Self::Indicators(_) | Self::SlopeMoments(_) => None,
             Self::Noise(noise) => Some(noise.function()),
             Self::Pattern(pattern) => Some(pattern.function()),
             Self::Gabor(gabor) => Some(gabor.function()),
@@ -116,6 +123,7 @@ impl Driver {
         let of = |function: Function| vec![taps(function.taps), (function.suffix(), function.trips)];
         match self {
             Self::Moments(moments) => vec![taps(moments.taps)],
+            Self::Indicators(indicators) => vec![taps(indicators.taps)],
             Self::SlopeMoments(moments) => vec![taps(moments.taps)],
             _ => [false, true].into_iter().filter_map(|slopes| self.function(slopes)).flat_map(of).collect(),
         }
@@ -133,6 +141,7 @@ impl Driver {
     pub(crate) fn gap(&self) -> String {
         match self {
             Self::Moments(moments) => moments::gap(moments.taps),
+            Self::Indicators(_) => indicators::GAP.to_owned(),
             Self::SlopeMoments(moments) => slope_moments::gap(moments.taps),
             _ => self.function(false).map_or(String::new(), |function| function.gap),
         }
@@ -150,6 +159,7 @@ impl Driver {
     pub(crate) fn glue(&self, called: &Called<'_>) -> String {
         match self {
             Self::Moments(moments) => moments::glue(called, moments),
+            Self::Indicators(indicators) => indicators::glue(called, indicators),
             Self::SlopeMoments(moments) => slope_moments::glue(called, moments),
             Self::Pattern(pattern) => pattern.glue(called),
             _ => {
@@ -174,6 +184,8 @@ pub(crate) struct Called<'a> {
     pub parameters: &'a str,
     /// Their arguments, each behind a comma.
     pub arguments: &'a str,
+    /// The edges of the map that the filter is of, where it has nothing but bands.
+    pub edges: &'a [f32],
 }
 
 impl Called<'_> {

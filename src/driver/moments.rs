@@ -76,11 +76,11 @@ pub(crate) fn glue(called: &Called<'_>, moments: &Moments) -> String {
     let reader = Reader {
         image: "moments",
         before: &before,
-        read: "moments_read(moments, moments_sampler",
-        statistics: "m.x, m.y",
+        found: &|at, over| format!("let m = moments_read(moments, moments_sampler, {at}, {over});"),
+        color: called.call("m.x, m.y"),
         weight: None,
     };
-    let (points, body) = reader.body(called, moments.taps, moments.pixel);
+    let (points, body) = reader.body(color_type, moments.taps, moments.pixel);
     format!(
         "/// Mean color of `{name}` over a pixel's footprint on an image, by {points}.
 ///
@@ -117,6 +117,7 @@ mod tests {
                     given: "",
                     parameters: ", knots: texture_2d<f32>",
                     arguments: ", knots",
+                    edges: &[],
                 };
                 let glue = glue(&called, &Moments { taps, pixel, slopes: false });
                 let text = prefilter_wgsl::link(&format!("{texture}{glue}")).unwrap();

@@ -62,11 +62,11 @@ pub(crate) fn glue(called: &Called<'_>, moments: &SlopeMoments) -> String {
     let reader = Reader {
         image: "slopes",
         before: "",
-        read: "slope_moments_read(slopes, slopes_cross, slopes_sampler",
-        statistics: "m.mean, m.covariance",
+        found: &|at, over| format!("let m = slope_moments_read(slopes, slopes_cross, slopes_sampler, {at}, {over});"),
+        color: called.call("m.mean, m.covariance"),
         weight: given.contains(" view: ").then_some(area.as_str()),
     };
-    let (points, body) = reader.body(called, moments.taps, moments.pixel);
+    let (points, body) = reader.body(color_type, moments.taps, moments.pixel);
     format!(
         "/// The mean of `{name}_{function}` over a pixel's footprint on a map of slopes, by {points}.
 ///

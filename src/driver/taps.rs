@@ -1,6 +1,5 @@
 //! The pixel's footprint on an image, and the points of it that are evaluated.
 
-use super::Called;
 use crate::Error;
 
 /// How many points of a footprint are evaluated: along its major axis, four and eight of them in two rows where it is
@@ -114,17 +113,17 @@ pub(super) struct Reader<'a> {
     pub image: &'a str,
     /// Statements behind the one that names the footprint.
     pub before: &'a str,
-    /// The call that reads the statistics `m`, up to the position.
-    pub read: &'a str,
-    /// The filter's first arguments from them.
-    pub statistics: &'a str,
+    /// Statements that find what the color is made of, from the names of a position and a footprint.
+    pub found: &'a dyn Fn(&str, &str) -> String,
+    /// The expression of the color.
+    pub color: String,
     /// How much a point counts beside its place, where not all count alike.
     pub weight: Option<&'a str>,
 }
 
 impl Reader<'_> {
     /// The body of `NAME_color`, and its number of taps in words.
-    pub fn body(&self, called: &Called<'_>, taps: Taps, pixel: Pixel) -> (String, String) {
+    pub fn body(&self, color_type: &str, taps: Taps, pixel: Pixel) -> (String, String) {
         let (image, before, count) = (self.image, self.before, taps.count());
         let footprint = match pixel {
             Pixel::Round(deviation) => {
@@ -135,17 +134,11 @@ impl Reader<'_> {
             }
         };
         let (points, body) = match count {
-            1 => (
-                "one tap".to_owned(),
-                format!(
-                    "    let m = {}, position, footprint);
-    return {};
-",
-                    self.read,
-                    called.call(self.statistics)
-                ),
-            ),
-            _ => (format!("{count} taps"), self.taps_loop(called, count)),
+            1 => {
+                let found = (self.found)("position", "footprint").replace('\n', "\n    ");
+                ("one tap".to_owned(), format!("    {found}\n    return {};\n", self.color))
+            }
+            _ => (format!("{count} taps"), self.taps_loop(color_type, count)),
         };
         (
             points,
@@ -158,13 +151,10 @@ impl Reader<'_> {
     }
 
     /// The body for several taps.
-    fn taps_loop(&self, called: &Called<'_>, taps: u32) -> String {
-        let read = format!(
-            "let at = position + place.x * along + place.y * across;
-        let m = {}, at, tap_footprint);",
-            self.read
-        );
-        let average = averaged(taps, called.color_type, &read, self.weight, &called.call(self.statistics));
+    fn taps_loop(&self, color_type: &str, taps: u32) -> String {
+        let found = (self.found)("at", "tap_footprint").replace('\n', "\n        ");
+        let found = format!("let at = position + place.x * along + place.y * across;\n        {found}");
+        let average = averaged(taps, color_type, &found, self.weight, &self.color);
         format!(
             "    let deviations = footprint_deviations(footprint);
     let axis = footprint_direction(footprint);

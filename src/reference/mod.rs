@@ -17,6 +17,7 @@ pub mod gabor_spectrum;
 pub mod hash;
 pub mod height;
 pub mod heights;
+pub mod indicators;
 pub mod irradiance;
 pub mod lattice;
 pub mod mixture;

@@ -203,6 +203,7 @@ impl Scene {
             given,
             parameters: &parameters(tables),
             arguments: &arguments(tables),
+            edges: &self.map().and_then(ColorMap::edges).unwrap_or_default(),
         };
         format!("\n{}", driver.glue(&called))
     }

@@ -1,6 +1,7 @@
 //! What a scene filters, and which settings go with that.
 
 use super::Scene;
+use crate::driver::indicator_mipmap::MOST_EDGES;
 use crate::driver::moments::Moments;
 use crate::driver::Driver;
 use crate::filter::height::{HeightTier, Microsurface};
@@ -49,6 +50,10 @@ impl Filtered<'_> {
         match driver {
             Driver::Moments(Moments { slopes: true, .. }) => matches!(self, Self::Height(_)),
             Driver::Moments(_) => matches!(self, Self::Texture(_) | Self::Height(_)),
+            Driver::Indicators(_) => {
+                let edges = if let Self::Texture(map) = self { map.edges() } else { None };
+                edges.is_some_and(|edges| (1..=MOST_EDGES).contains(&edges.len()))
+            }
             Driver::SlopeMoments(_) => self.of_slopes(),
             _ => matches!(self, Self::Texture(_) | Self::Height(_)) || driver.knows_slopes() && self.of_slopes(),
         }

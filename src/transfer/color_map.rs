@@ -183,6 +183,12 @@ impl ColorMap {
         &self.knots
     }
 
+    /// Where the bands of a map of bands meet, from the lowest; none for a map with a gradient.
+    pub fn edges(&self) -> Option<Vec<f32>> {
+        let flat = self.knots.windows(2).all(|pair| pair[0].right == pair[1].left);
+        flat.then(|| self.knots.iter().map(|knot| knot.position).collect())
+    }
+
     /// The smallest and the largest value of each channel: no filtered color leaves this box.
     pub fn hull(&self) -> ([f32; 4], [f32; 4]) {
         let colors = || self.knots.iter().flat_map(|knot| [knot.left, knot.right]);

@@ -60,6 +60,7 @@ pub const FILES: &[File] = shelf![
     "driver/gabor_paper.wgsl",
     "driver/gabor_spectrum.wgsl",
     "driver/fractal.wgsl",
+    "driver/indicators.wgsl",
     "driver/moments.wgsl",
     "driver/pattern.wgsl",
     "driver/perlin.wgsl",

@@ -18,6 +18,7 @@ mod grid;
 mod hash;
 mod height;
 mod heights;
+mod indicators;
 mod irradiance;
 mod lattice;
 mod mixture;
@@ -176,6 +177,7 @@ pub fn all() -> Vec<Row> {
         hash::rows(),
         height::rows(),
         heights::rows(),
+        indicators::rows(),
         irradiance::rows(),
         lattice::rows(),
         mixture::rows(),

@@ -54,6 +54,11 @@ pub(super) fn cell_is_certain(point: &[f64]) -> bool {
     !near_center(point, SIZE.map(|size| (size >> level).max(1)))
 }
 
+/// Whether no rounding moves a position over a center of the image's texels.
+pub(super) fn off_centers(point: &[f64]) -> bool {
+    !near_center(point, SIZE)
+}
+
 /// The surface has an edge at the centers of the image's texels, which footprints below a texel see.
 pub(super) fn plane_is_certain(point: &[f64]) -> bool {
     point[2] + point[4] >= 2.0 || !near_center(point, SIZE)

@@ -2,6 +2,7 @@
 
 use prefilter::gpu::{Address, Device, Kernel, Texture, Work};
 use prefilter::reference::moments::{Beyond, Image};
+use prefilter::reference::texture::PiecewiseLinear;
 use prefilter::table::Format;
 use prefilter::{Driver, Edge, Kernel as Form, MomentMipmap, Moments, Scene, Taps, Tier};
 use spirv_tests::maps;
@@ -9,8 +10,8 @@ use spirv_tests::maps;
 use crate::footprints::{footprints, Footprint};
 use crate::photograph;
 
-const TAPS: [Taps; 4] = [Taps::One, Taps::Two, Taps::Four, Taps::Eight];
-const SEEDS: [u32; 4] = [1, 2, 3, 4];
+pub const TAPS: [Taps; 4] = [Taps::One, Taps::Two, Taps::Four, Taps::Eight];
+pub const SEEDS: [u32; 4] = [1, 2, 3, 4];
 
 const ENTRY: &str = "
 @group(0) @binding(0) var<storage, read_write> output: array<f32>;
@@ -26,15 +27,15 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
 }";
 
 /// An image with a map, ready to be colored by each number of taps.
-struct Case {
-    image: Image,
-    texture: Texture,
-    map: prefilter::reference::texture::PiecewiseLinear,
-    kernels: Vec<Kernel>,
+pub struct Case {
+    pub image: Image,
+    pub textures: Vec<Texture>,
+    pub map: PiecewiseLinear,
+    pub kernels: Vec<Kernel>,
 }
 
 impl Case {
-    fn new(device: &Device, file: &str, map: &str) -> Self {
+    pub fn new(device: &Device, file: &str, map: &str) -> Self {
         let (image, stored) = photograph(file, Beyond::Repeat);
         let pyramid = MomentMipmap::new(image.width as u32, image.height as u32, &stored, Edge::Repeat).unwrap();
         let texture = device.upload(&pyramid.table("image", Format::Rg32Float).unwrap(), Address::Repeat).unwrap();
@@ -44,12 +45,12 @@ impl Case {
             let scene = Scene::new("rock").texture(map.clone()).tier(Tier::ClosedForm(Form::Exact)).driver(driver);
             Kernel::new(device, scene.module().unwrap().link(ENTRY).unwrap().wgsl(), "main").unwrap()
         };
-        Self { image, texture, kernels: TAPS.map(kernel).into(), map: map.reference() }
+        Self { image, textures: vec![texture], kernels: TAPS.map(kernel).into(), map: map.reference() }
     }
 
     /// Squared errors, averaged over positions and channels: of a point's color, of each number of taps, and how far
     /// two resolutions of the truth are apart.
-    fn errors(&self, footprints: &[Footprint]) -> [f64; 6] {
+    pub fn errors(&self, footprints: &[Footprint]) -> [f64; 6] {
         let colors = |side| -> Vec<[f64; 4]> {
             let color = |at: &Footprint| self.image.mean(at.center, at.covariance(), side, |v| self.map.value(v));
             footprints.iter().map(color).collect()
@@ -66,13 +67,20 @@ impl Case {
         errors[0] = apart(&|at, channel| self.map.value(value(at))[channel]);
         for (kernel, error) in self.kernels.iter().zip(&mut errors[1..]) {
             let (invocations, output) = (footprints.len(), 3 * footprints.len());
-            let work = Work { inputs: &[&points], textures: &[&self.texture], invocations, output };
+            let textures: Vec<&Texture> = self.textures.iter().collect();
+            let work = Work { inputs: &[&points], textures: &textures, invocations, output };
             let colors = kernel.run(&work).unwrap();
             *error = apart(&|at, channel| f64::from(colors[3 * at + channel]));
         }
         errors[5] = apart(&|at, channel| coarse[at][channel]);
         errors
     }
+}
+
+/// Roots of squared errors over seeds and footprints of each, in thousandths.
+pub fn rms<const N: usize, const M: usize>(of_seed: [[[f64; 6]; N]; M]) -> [f64; 6] {
+    let all = || of_seed.iter().flatten();
+    std::array::from_fn(|column| 1e3 * (all().map(|errors| errors[column]).sum::<f64>() / (N * M) as f64).sqrt())
 }
 
 #[test]

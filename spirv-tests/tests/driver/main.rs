@@ -5,6 +5,7 @@ mod colors;
 mod curvature;
 mod device;
 mod footprints;
+mod indicators;
 mod passes;
 mod pyramids;
 mod references;
