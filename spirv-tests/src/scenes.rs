@@ -2,12 +2,13 @@
 
 mod distributions;
 mod functions;
+mod images;
 mod patterns;
 
 use prefilter::{
     Accuracy, ColorMap, Colors, Combination, Driver, HeightTier, Irradiance, IrradianceTier, JointMap, Kernel,
-    Microsurface, Moments, Pixel, Ranges, Reflectance, Scene, SlopeDomain, SlopeMap, SlopeMoments, SlopeTaps,
-    SlopeTier, Taps, Tier,
+    Microsurface, Moments, Ranges, Reflectance, Scene, SlopeDomain, SlopeMap, SlopeMoments, SlopeTaps, SlopeTier, Taps,
+    Tier,
 };
 
 use crate::maps::{named, random};
@@ -20,7 +21,7 @@ type Result<T> = std::result::Result<T, Box<dyn std::error::Error + Send + Sync>
 /// None that the tests have seen: the maps are fixed.
 pub fn all() -> Result<Vec<(&'static str, Scene)>> {
     let seen = [slopes()?, slope_maps()?, steepnesses()?, irradiances()?, driven_slopes()?].concat();
-    let functions = [functions::all()?, distributions::all()?, patterns::all()?].concat();
+    let functions = [functions::all()?, images::all()?, distributions::all()?, patterns::all()?].concat();
     Ok([textures()?, heights()?, seen, combinations()?, functions].concat())
 }
 
@@ -29,7 +30,7 @@ pub fn all() -> Result<Vec<(&'static str, Scene)>> {
 /// # Errors
 /// As [`all`].
 pub fn textures() -> Result<Vec<(&'static str, Scene)>> {
-    Ok([constant_colors()?, dynamic_colors()?, driven()?, edges_and_limits()?].concat())
+    Ok([constant_colors()?, dynamic_colors()?, images::driven()?, edges_and_limits()?].concat())
 }
 
 /// The scenes of several layers: without light, in an environment, and under one light with all channels.
@@ -269,19 +270,6 @@ fn dynamic_colors() -> Result<Vec<(&'static str, Scene)>> {
         ("four_channels", Scene::new("moss").texture(four.clone()).tier(FAST)),
         ("four_channels_dynamic", Scene::new("moss").texture(four.clone()).colors(Colors::Dynamic).tier(EXACT)),
         ("four_channels_table", Scene::new("moss").texture(four).tier(Tier::Table)),
-    ])
-}
-
-fn driven() -> Result<Vec<(&'static str, Scene)>> {
-    let moments = |taps| Driver::Moments(Moments { taps, ..Moments::default() });
-    let oblong = Moments { taps: Taps::Two, pixel: Pixel::Covariance([0.25, 0.05, 0.1]), slopes: false };
-    let terrain = || Ok::<_, Box<dyn std::error::Error + Send + Sync>>(Scene::new("relief").texture(named("terrain")?));
-    Ok(vec![
-        ("driven", terrain()?.driver(moments(Taps::One))),
-        ("driven_by_eight_taps", terrain()?.driver(moments(Taps::Eight))),
-        ("driven_by_oblong_pixels", terrain()?.driver(Driver::Moments(oblong))),
-        ("driven_table", terrain()?.tier(Tier::Table).driver(moments(Taps::Four))),
-        ("driven_dynamic", terrain()?.colors(Colors::Dynamic).tier(EXACT).driver(moments(Taps::Eight))),
     ])
 }
 

@@ -102,7 +102,7 @@ impl Driver {
 
     /// Whether it knows skewness and excess kurtosis of values.
     pub(crate) fn knows_shape(&self) -> bool {
-        self.function(false).is_some()
+        matches!(self, Self::Moments(_)) || self.function(false).is_some()
     }
 
     /// What it says of a footprint where it is a function of the position, with its slopes or without.

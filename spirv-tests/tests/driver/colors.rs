@@ -13,7 +13,7 @@ use crate::photograph;
 pub const TAPS: [Taps; 4] = [Taps::One, Taps::Two, Taps::Four, Taps::Eight];
 pub const SEEDS: [u32; 4] = [1, 2, 3, 4];
 
-const ENTRY: &str = "
+pub const ENTRY: &str = "
 @group(0) @binding(0) var<storage, read_write> output: array<f32>;
 @group(0) @binding(1) var<storage, read> points: array<array<f32, 6>>;
 @group(1) @binding(0) var image: texture_2d<f32>;

@@ -10,7 +10,9 @@ use spirv_tests::maps;
 
 use crate::colors::{rms, Case, SEEDS, TAPS};
 use crate::footprints::footprints;
-use crate::{photograph, random};
+use crate::{documented, photograph, random};
+
+const DOCUMENTATION: &str = include_str!("../../../src/driver/indicators.rs");
 
 const EDGES: [f32; 5] = [0.137, 0.311, 0.47, 0.62, 0.853];
 
@@ -176,13 +178,6 @@ fn color_over(image: &Image, map: &ColorMap, [x, y]: [usize; 2]) -> [f64; 3] {
     sum
 }
 
-/// The numbers of a row of the driver's documentation.
-fn documented(label: &str) -> Vec<f64> {
-    let file = include_str!("../../../src/driver/indicators.rs");
-    let row = file.lines().find_map(|line| line.strip_prefix(&format!("/// | {label} |"))).expect(label);
-    row.split('|').filter_map(|number| number.trim().parse().ok()).collect()
-}
-
 #[test]
 fn shares_of_bands_are_nearer_than_normal_distributions() {
     let device = Device::new().unwrap();
@@ -208,7 +203,7 @@ fn shares_of_bands_are_nearer_than_normal_distributions() {
             let label = format!("{}, {aspect}:1", file.trim_end_matches(".png"));
             let numbers: Vec<f64> = found.iter().flat_map(|rms| rms[1..5].to_vec()).collect();
             println!("{label:<14} {numbers:6.1?}, point {:.1}, truth {:.1}", found[0][0], found[0][5]);
-            for (number, said) in numbers.iter().zip(documented(&label)) {
+            for (number, said) in numbers.iter().zip(documented(DOCUMENTATION, &label)) {
                 assert!((number - said).abs() < 1.0, "{label}: {number} where {said} is documented");
             }
             assert!(found[0][5] < found[0][4] / 3.0, "the measurement is not good enough");

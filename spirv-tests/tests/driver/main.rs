@@ -6,6 +6,7 @@ mod curvature;
 mod device;
 mod footprints;
 mod indicators;
+mod pairs;
 mod passes;
 mod pyramids;
 mod references;
@@ -13,6 +14,7 @@ mod roughness;
 mod slope_colors;
 mod slope_reads;
 mod slopes;
+mod tiling;
 mod toksvig;
 
 use prefilter::reference::moments::{Beyond, Image};
@@ -22,6 +24,12 @@ use spirv_tests::random::Random;
 fn random(seed: u32) -> impl FnMut() -> f64 {
     let mut random = Random::new(seed);
     move || random.unit()
+}
+
+/// The numbers of the last row of a driver's documentation that begins with a label.
+fn documented(file: &str, label: &str) -> Vec<f64> {
+    let row = file.lines().rev().find_map(|line| line.strip_prefix(&format!("/// | {label} |"))).expect(label);
+    row.split('|').filter_map(|number| number.trim().parse().ok()).collect()
 }
 
 /// An image of the examples, stretched to [0, 1].
