@@ -46,7 +46,7 @@ pub enum Motif {
 /// let tiles = ColorMap::gradient([(0.0, [0.1, 0.1, 0.1]), (1.0, [0.8, 0.75, 0.7])])?;
 /// let grid = Pattern { motif: Motif::Grid { widths: [0.05, 0.1] }, values: [1.0, 0.0], ..Pattern::default() };
 /// let module = Scene::new("tiles").texture(tiles).driver(Driver::Pattern(grid)).module()?;
-/// assert_eq!(module.exports()[1].signature, "fn tiles_color(position: vec2f, dpdx: vec2f, dpdy: vec2f) -> vec3f");
+/// assert_eq!(module.exports()[2].signature, "fn tiles_color(position: vec2f, dpdx: vec2f, dpdy: vec2f) -> vec3f");
 /// # Ok::<(), prefilter::Error>(())
 /// ```
 ///
