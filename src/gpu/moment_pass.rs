@@ -97,20 +97,7 @@ impl MomentPass {
     /// [`Error::Conflict`] for [`Format::Rg16Float`], which WebGPU does not store to, [`Error::Device`] where the
     /// device refuses a pipeline.
     pub fn new(device: &Device, edge: Edge, format: Format) -> Result<Self, Error> {
-        let (level, exact) = match format {
-            Format::Rg32Float => ("rg32float", "rg32float"),
-            Format::Rgba32Float => ("rgba32float", "rgba32float"),
-            Format::Rgba16Float => ("rgba16float", "rgba32float"),
-            Format::Rg16Float => {
-                let message = "a pass stores moments as Rg32Float, Rgba32Float or Rgba16Float, not as Rg16Float";
-                return Err(Error::Conflict(message.to_owned()));
-            }
-        };
-        let repeats = if edge == Edge::Repeat { "true" } else { "false" };
-        let text = ENTRIES.replace("LEVEL", level).replace("EXACT", exact).replace("EDGE", repeats);
-        let path = "moment_pass.wgsl".to_owned();
-        let linked = prefilter_wgsl::link(&text).map_err(|collision| Error::Collision { path, collision })?;
-        let shader = Shader::new("moment_pass.wgsl", linked)?;
+        let shader = Self::shader(edge, format)?;
         device.checked("compiling the passes of moments", || {
             let module = device.wgpu().create_shader_module(wgpu::ShaderModuleDescriptor {
                 label: Some("moments"),
@@ -130,6 +117,32 @@ impl MomentPass {
                 ["points", "texels", "columns", "rows", "copies"].map(pipeline);
             Self { device: device.clone(), format, edge, points, texels, columns, rows, copies }
         })
+    }
+
+    /// The passes as one shader, for hosts that run them in another way: compute entry points `points`, `texels`,
+    /// `columns`, `rows` and `copies` of 8 × 8 texels, whose bindings are a texture that is read and one that is stored
+    /// to.
+    ///
+    /// WebGL2 has no such shaders: render passes there may call `moment_pyramid_texel` and `moment_pyramid_part` of the
+    /// shelf.
+    ///
+    /// # Errors
+    /// [`Error::Conflict`] for [`Format::Rg16Float`].
+    pub fn shader(edge: Edge, format: Format) -> Result<Shader, Error> {
+        let (level, exact) = match format {
+            Format::Rg32Float => ("rg32float", "rg32float"),
+            Format::Rgba32Float => ("rgba32float", "rgba32float"),
+            Format::Rgba16Float => ("rgba16float", "rgba32float"),
+            Format::Rg16Float => {
+                let message = "a pass stores moments as Rg32Float, Rgba32Float or Rgba16Float, not as Rg16Float";
+                return Err(Error::Conflict(message.to_owned()));
+            }
+        };
+        let repeats = if edge == Edge::Repeat { "true" } else { "false" };
+        let text = ENTRIES.replace("LEVEL", level).replace("EXACT", exact).replace("EDGE", repeats);
+        let path = "moment_pass.wgsl".to_owned();
+        let linked = prefilter_wgsl::link(&text).map_err(|collision| Error::Collision { path, collision })?;
+        Shader::new("moment_pass.wgsl", linked)
     }
 
     /// The pyramid of an image, still to be filled: of the first channel of its largest level, which the device's

@@ -1,7 +1,7 @@
 //! Writes every module that other validators must accept into a folder: `NAME.wgsl` with its SPIR-V.
 //!
-//! Those are the files of the shelf, each with what it needs of the others, and the modules of the snapshot scenes,
-//! with probes that call every export from a fragment and from a compute shader.
+//! Those are the files of the shelf, each with what it needs of the others, the modules of the snapshot scenes, with
+//! probes that call every export from a fragment and from a compute shader, and the passes that build pyramids.
 //!
 //! `NAME.module.spv` is SPIR-V without an entry point, for a linker (`spirv-val --target-env spv1.3`); `NAME.spv` is a
 //! Vulkan shader (`--target-env vulkan1.1`).
@@ -14,7 +14,9 @@ use std::path::PathBuf;
 use clap::Parser;
 use naga::back::spv;
 use naga::valid::{Capabilities, ValidationFlags, Validator};
-use prefilter::Stage;
+use prefilter::gpu::MomentPass;
+use prefilter::table::Format;
+use prefilter::{Edge, Stage};
 
 /// Write every module that other validators must accept into a folder.
 #[derive(Parser)]
@@ -45,6 +47,10 @@ fn main() -> Result<(), Box<dyn Error + Send + Sync>> {
             let shader = module.link(&module.probe(entry))?;
             write(&format!("{name}.{stage}"), shader.wgsl(), shader.spirv()?)?;
         }
+    }
+    for format in [Format::Rg32Float, Format::Rgba32Float, Format::Rgba16Float] {
+        let shader = MomentPass::shader(Edge::Repeat, format)?;
+        write(&format!("pass.moments.{format:?}"), shader.wgsl(), shader.spirv()?)?;
     }
     println!("{count} modules in {}", folder.display());
     Ok(())

@@ -148,6 +148,22 @@ fn an_image_of_bytes_that_changes_is_built_again() {
     }
 }
 
+/// Other validators see the same texts in the corpus of `cargo xtask ci`.
+#[test]
+fn passes_are_shaders_of_other_languages_too() {
+    for format in [Format::Rg32Float, Format::Rgba32Float, Format::Rgba16Float] {
+        for edge in [Edge::Clamp, Edge::Repeat] {
+            let shader = MomentPass::shader(edge, format).unwrap();
+            assert!(!shader.spirv().unwrap().is_empty());
+            let (hlsl, msl) = (shader.hlsl().unwrap(), shader.msl().unwrap());
+            for entry in ["points", "texels", "columns", "rows", "copies"] {
+                assert!(shader.wgsl().contains(&format!("fn {entry}(")));
+                assert!(hlsl.contains(entry) && msl.contains(entry), "{entry}");
+            }
+        }
+    }
+}
+
 #[test]
 fn passes_refuse_what_is_no_image_and_formats_that_none_stores() {
     let device = Device::new().unwrap();
