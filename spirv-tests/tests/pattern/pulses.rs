@@ -1,6 +1,7 @@
 //! Trains of pulses: far from the origin, as lines thinner than a pixel, and what a box in place of a Gaussian costs.
 
 use prefilter::gpu::Device;
+use prefilter::reference::normal::cumulative;
 use prefilter::reference::pulse::Footprint;
 use spirv_tests::kernel::Function;
 use spirv_tests::random::Random;
@@ -61,6 +62,46 @@ fn thin_lines_converge_to_their_coverage() {
     let worst = most(&device, &shelf("pulse_train_box"), &points, |point| point[1]);
     println!("boxes of four periods and more: within {worst:.1e}");
     assert!(worst > 1e-3);
+}
+
+/// Lines of a grid in both directions, over footprints of four periods and more at any rotation.
+#[test]
+fn thin_lines_of_a_grid_converge_to_their_coverage() {
+    let device = Device::new().unwrap();
+    let mut next = Random::new(6);
+    let point = |_| {
+        let (sin, cos) = (std::f64::consts::TAU * next.unit()).sin_cos();
+        let minor = 2.0 * next.between(1.0, 50.0);
+        let (a, b) = ((minor * next.between(1.0, 16.0)).powi(2), minor * minor);
+        let widths = [next.between(1e-3, 0.5), next.between(1e-3, 0.5)];
+        let footprint = [a * cos * cos + b * sin * sin, (a - b) * cos * sin, a * sin * sin + b * cos * cos];
+        let place = [200.0 * next.unit(), 200.0 * next.unit(), widths[0], widths[1]];
+        [&place[..], &footprint].concat().into_iter().map(|number| f64::from(number as f32)).collect()
+    };
+    let points: Vec<Vec<f64>> = (0..20_000).map(point).collect();
+    let coverage = |point: &[f64]| point[2] + point[3] - point[2] * point[3];
+    let worst = most(&device, &shelf("pattern_grid"), &points, coverage);
+    println!("lines both ways, four periods a pixel and more: coverage within {worst:.1e}");
+    assert!(worst < 1e-6);
+}
+
+/// The three nearest edges, which are enough for one edge a period up to a deviation of a quarter of it, are too few
+/// for the two edges of a pulse: what `pulse_train` would err by.
+#[test]
+fn three_edges_are_too_few() {
+    let deviation = 0.25;
+    let mut worst = 0.0f64;
+    for step in 0..1000 {
+        let position = f64::from(step) / 1000.0;
+        let above = |edge: f64| cumulative((position - edge) / deviation);
+        let nearest = 0.5 * (2.0 * position).round();
+        let sum = above(nearest - 0.5) - above(nearest) + above(nearest + 0.5);
+        // Pulses of half a period begin at whole numbers: before such an edge and the one below it the pulse is on.
+        let three = if nearest.fract() == 0.0 { 1.0 - sum } else { sum };
+        worst = worst.max((three - Footprint::Gaussian(deviation).train(position, 0.5)).abs());
+    }
+    println!("three edges at a deviation of a quarter: off by {worst:.1e}");
+    assert!((1e-3..2e-3).contains(&worst), "{worst}");
 }
 
 /// A box of the same variance is another filter: what it costs where the pixel's is a Gaussian.
