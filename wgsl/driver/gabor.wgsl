@@ -94,7 +94,7 @@ fn gabor_cell(
 /// beyond 1e9 cells count as 1e9.
 ///
 /// Source: Lagae and Drettakis 2011, equation 11.
-/// Domain: position in [-1000, 1000], kernels integer in [1, 4], seed integer in [0, 4294967295],
+/// Domain: position in [-1000, 1000], kernels integer in [1, 2], seed integer in [0, 4294967295],
 /// spectrum.frequency in [0, 2], spectrum.azimuth in [-3, 3], spectrum.height in [-0.5, 0.5],
 /// footprint from gabor_covered.
 /// Error: 2e-5 absolute; f32 rounding of gradients up to 10.

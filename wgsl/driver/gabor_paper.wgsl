@@ -59,7 +59,7 @@ fn gabor_paper_cell(
 /// Noise filtered over a footprint about a point, in cells.
 ///
 /// Source: Lagae and Drettakis 2011, equation 11.
-/// Domain: position in [-1000, 1000], kernels integer in [1, 4], seed integer in [0, 4294967295],
+/// Domain: position in [-1000, 1000], kernels integer in [1, 2], seed integer in [0, 4294967295],
 /// spectrum.frequency in [0, 2], spectrum.azimuth in [-3, 3], spectrum.height in [-0.5, 0.5],
 /// footprint from gabor_covered.
 /// Error: 2e-6 absolute; f32 rounding of phases.

@@ -95,6 +95,18 @@ fn colors_of_a_plane_to_the_horizon() -> Outcome {
             let truth = colors(&device, seeded(paper), map, "truth", PARTS)?;
             let mut add = |which: usize, found: &[[f32; 3]]| sums[which] += 0.25 * apart(found, &truth).powi(2);
             add(5, &colors(&device, seeded(paper), map, "naive", 1)?);
+            let rows = include_str!("../../../README.md")
+                .split("| RMS on a plane to the horizon |")
+                .nth(1)
+                .ok_or("no table")?;
+            for (row, figures) in rows.lines().skip(2).zip(&figures) {
+                let quoted: Vec<f64> = row.split('|').filter_map(|cell| cell.trim().parse().ok()).collect();
+                let off = quoted.iter().zip(figures).map(|(quoted, figure)| (quoted - figure).abs() / figure);
+                assert!(
+                    quoted.len() == 6 && off.fold(0.0, f64::max) < 0.06,
+                    "the README says {quoted:?}, not {figures:?}"
+                );
+            }
             for (which, &gabor) in methods.iter().enumerate() {
                 add(which, &colors(&device, seeded(gabor), map, "color", 1)?);
             }
