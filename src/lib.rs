@@ -134,6 +134,7 @@ pub use accuracy::{Accuracy, Bound, Ranges};
 pub use cost::Cost;
 pub use driver::cosines::Cosines;
 pub use driver::custom::Custom;
+pub use driver::fold::NoiseFold;
 pub use driver::four_moments::FourMomentMipmap;
 pub use driver::gabor::{Gabor, GaborMethod};
 pub use driver::gabor_spectrum::Spectrum;

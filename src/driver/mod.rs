@@ -2,6 +2,7 @@
 
 pub mod cosines;
 pub mod custom;
+pub mod fold;
 pub mod four_moments;
 pub mod function;
 pub mod gabor;

@@ -1,5 +1,6 @@
 //! The driver of noise: sums of octaves on lattices, and what a footprint holds of them.
 
+use super::fold::{added, NoiseFold};
 use super::function::{Dimensions, Function};
 use super::taps::{Pixel, Taps};
 use crate::Error;
@@ -26,6 +27,8 @@ use crate::Error;
 pub struct Noise {
     /// The noise of one octave. The first has cells of the size 1.
     pub basis: NoiseBasis,
+    /// What becomes of every octave before they are summed.
+    pub fold: NoiseFold,
     /// How many octaves, 1 to 16.
     pub octaves: u32,
     /// Of an octave's amplitude over that of the one before, above 0 and up to 1.
@@ -80,6 +83,8 @@ pub enum NoiseMethod {
 struct Shelf {
     name: &'static str,
     variance: &'static str,
+    /// Its mean of |n| over the plane, over its deviation; a test measures it.
+    folded: f64,
     periodic: bool,
 }
 
@@ -90,6 +95,7 @@ impl Default for Noise {
     fn default() -> Self {
         Self {
             basis: NoiseBasis::default(),
+            fold: NoiseFold::default(),
             octaves: 6,
             gain: 0.5,
             lacunarity: 2.0,
@@ -107,12 +113,12 @@ impl Default for Noise {
 
 impl NoiseBasis {
     fn shelf(self) -> Shelf {
-        let (name, variance, periodic) = match self {
-            Self::Perlin => ("perlin", "0.0465311504", true),
-            Self::Value => ("value", "0.204650088", true),
-            Self::Simplex => ("simplex", "0.144655223", false),
+        let (name, variance, folded, periodic) = match self {
+            Self::Perlin => ("perlin", "0.0465311504", 0.8166, true),
+            Self::Value => ("value", "0.204650088", 0.837, true),
+            Self::Simplex => ("simplex", "0.144655223", 0.8667, false),
         };
-        Shelf { name, variance, periodic }
+        Shelf { name, variance, folded, periodic }
     }
 }
 
@@ -127,6 +133,9 @@ impl Noise {
         if !(1..=16).contains(&self.octaves) {
             let (what, count) = ("the noise's number of octaves".into(), self.octaves as usize);
             return Err(Error::Size { what, count, allowed: "1 to 16".into() });
+        }
+        if self.fold != NoiseFold::None && self.method == NoiseMethod::Stationary {
+            return Err(Error::Conflict("folded noise has the method `Gradient`: the paper's knows no folds".into()));
         }
         let numbers = [
             ("gain", self.gain, f32::MIN_POSITIVE, 1.0),
@@ -176,35 +185,42 @@ impl Noise {
 
     /// What no bound covers: one point with its gradient cannot tell all of a footprint.
     ///
-    /// Of six octaves of Perlin's noise; `spirv-tests/tests/noise/figures.rs` measures them again.
+    /// Of six octaves of Perlin's noise; `spirv-tests/tests/noise/figures.rs` and `folds.rs` measure them again.
     fn gap(&self) -> String {
-        let (terrain, steps) = match (self.method, self.taps) {
-            (NoiseMethod::Stationary, _) => (0.070, 0.089),
-            (_, Taps::One) => (0.051, 0.058),
-            (_, Taps::Two) => (0.038, 0.043),
-            (_, Taps::Four) => (0.026, 0.030),
-            (_, Taps::Eight) => (0.017, 0.021),
-        };
+        let [found, naive] = self.fold.errors(self.taps);
+        let [terrain, steps] = if self.method == NoiseMethod::Stationary { [0.070, 0.089] } else { found };
         let taps = if self.method == NoiseMethod::Stationary { " by one tap" } else { "" };
         format!(
             "how far a point of the noise tells what a footprint holds{taps}. The largest error of a channel\n    \
              has an RMS of {terrain:.3} on a plane to the horizon under a terrain map and {steps:.3}\n    \
-             under hard steps; the naive map has 0.155 and 0.216"
+             under hard steps; the naive map has {:.3} and {:.3}",
+            naive[0], naive[1]
         )
     }
 
-    /// Scale of a sum of octaves whose noise has the variance 1.
-    fn scale(&self) -> f32 {
-        let power: f64 = (0..self.octaves).map(|octave| f64::from(self.gain).powi(2 * octave as i32)).sum();
-        let variance = self.basis.shelf().variance.parse::<f64>().unwrap_or(1.0);
-        (f64::from(self.deviation) / (power * variance).sqrt()) as f32
+    /// Where the sum of octaves is 0, and its scale.
+    fn placed(&self) -> [f32; 2] {
+        let sum = |power: i32| -> f64 {
+            (0..self.octaves).map(|octave| f64::from(self.gain).powi(power * octave as i32)).sum()
+        };
+        let Shelf { variance, folded, .. } = self.basis.shelf();
+        let variance = variance.parse::<f64>().unwrap_or(1.0);
+        let deviation = f64::from(self.deviation) / (sum(2) * variance).sqrt();
+        let [start, scale] = match self.fold.sign() {
+            None => [0.0, deviation],
+            Some(sign) => {
+                let scale = sign * deviation / (1.0 - folded * folded).sqrt();
+                [-scale * sum(1) * folded * variance.sqrt(), scale]
+            }
+        };
+        [(f64::from(self.mean) + start) as f32, scale as f32]
     }
 
     /// The loop over octaves.
     fn body(&self) -> String {
-        let Shelf { name, variance, periodic } = self.basis.shelf();
-        let Self { octaves, gain, lacunarity, mean, .. } = *self;
-        let (scale, seed) = (self.scale(), self.seed.wrapping_mul(0x9e37_79b1));
+        let Shelf { name, variance, folded, periodic } = self.basis.shelf();
+        let Self { octaves, gain, lacunarity, .. } = *self;
+        let ([mean, scale], seed) = (self.placed(), self.seed.wrapping_mul(0x9e37_79b1));
         let tile = if periodic { format!(", vec2f({:?})", self.period as f32) } else { String::new() };
         let tile = if self.period > 0 { ", tile".to_owned() } else { tile };
         let (mut before, mut after) = (String::new(), String::new());
@@ -231,6 +247,7 @@ impl Noise {
                 (format!("fractal_stationary({name}_lost(vec2f(1.41421356 * deviations.x)))"), "vec2f()")
             }
         };
+        let [octave, lost] = added(self.fold != NoiseFold::None, slope, variance, folded);
         format!(
             "    // Deviations of the footprint in cells of an octave.
     var deviations = footprint_deviations(vec3f(dot(across, across), dot(across, along), dot(along, along)));
@@ -241,9 +258,9 @@ impl Noise {
         let weights = {weights};
         if weights.x > {CUT:?} {{
             let n = {name}_noise(at{tile}, {seed}u + octave);
-            sum = fractal_add(sum, amplitude, weights, n.x, {slope});
+            {octave}
         }} else {{
-            sum.rest += amplitude * amplitude; // nothing of it is left
+            {lost}
         }}
         amplitude *= {gain:?};
         deviations *= {lacunarity:?};

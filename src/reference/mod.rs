@@ -7,6 +7,7 @@ pub mod combine;
 pub mod cosines;
 pub mod crossing;
 pub mod curvature;
+pub mod fold;
 pub mod footprint;
 pub mod four_moments;
 pub mod fractal;

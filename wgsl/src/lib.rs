@@ -59,6 +59,7 @@ pub const FILES: &[File] = shelf![
     "driver/gabor_kernel.wgsl",
     "driver/gabor_paper.wgsl",
     "driver/gabor_spectrum.wgsl",
+    "driver/fold.wgsl",
     "driver/fractal.wgsl",
     "driver/indicators.wgsl",
     "driver/moments.wgsl",

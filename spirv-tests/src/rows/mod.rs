@@ -7,6 +7,7 @@ mod combine;
 mod cosines;
 mod crossing;
 mod curvature;
+mod fold;
 mod footprint;
 mod four_moments;
 mod fractal;
@@ -166,6 +167,7 @@ pub fn all() -> Vec<Row> {
         cosines::rows(),
         crossing::rows(),
         curvature::rows(),
+        fold::rows(),
         footprint::rows(),
         four_moments::rows(),
         gabor::rows(),

@@ -2,6 +2,7 @@
 
 mod driver;
 mod figures;
+mod folds;
 mod footprints;
 mod noises;
 mod periods;

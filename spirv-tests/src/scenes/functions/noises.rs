@@ -1,11 +1,11 @@
 //! Scenes that are driven by octaves of noise.
 
-use prefilter::{Driver, HeightTier, Noise, NoiseBasis, NoiseMethod, Scene, Taps};
+use prefilter::{Driver, HeightTier, Noise, NoiseBasis, NoiseFold, NoiseMethod, Scene, Taps};
 
 use crate::maps::named;
 use crate::scenes::{Result, FAST};
 
-/// By default, tiles under several taps, on triangles by the paper's way, and heights.
+/// By default, ridged, tiles under several taps, on triangles by the paper's way, and heights.
 ///
 /// # Errors
 /// As [`crate::scenes::all`].
@@ -16,6 +16,7 @@ pub(in crate::scenes) fn all() -> Result<Vec<(&'static str, Scene)>> {
     Ok(vec![
         ("noise_default", rock(Noise::default()).texture(named("terrain")?)),
         ("noise_height", rock(Noise::default()).height(named("terrain")?).height_tier(HeightTier::Gaussian)),
+        ("noise_ridged", rock(Noise { fold: NoiseFold::Ridged, ..Noise::default() }).texture(named("terrain")?)),
         ("noise_stationary", rock(paper).texture(named("steps6")?)),
         ("noise_tiles", rock(tiles).texture(named("steps6")?)),
     ])
