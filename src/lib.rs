@@ -147,6 +147,7 @@ pub use driver::pattern::Pattern;
 pub use driver::slope_mipmap::SlopeMipmap;
 pub use driver::slope_moments::SlopeMoments;
 pub use driver::taps::{Pixel, Taps};
+pub use driver::warp::Warp;
 pub use driver::Driver;
 pub use error::Error;
 pub use filter::combine::Reflectance;

@@ -18,6 +18,7 @@ mod slope_grid;
 pub mod slope_mipmap;
 pub mod slope_moments;
 pub mod taps;
+pub mod warp;
 
 use cosines::Cosines;
 use custom::Custom;
@@ -29,6 +30,7 @@ use noise::Noise;
 use pattern::Pattern;
 use slope_moments::SlopeMoments;
 use taps::Taps;
+use warp::Warp;
 
 use crate::Error;
 
@@ -51,6 +53,8 @@ pub enum Driver {
     Gabor(Gabor),
     /// A sum of cosines, such as waves on water: for values, heights and slopes.
     Cosines(Cosines),
+    /// A function of the plane whose positions noise displaces: for values and heights.
+    Warp(Warp),
     /// A function of your own: for values and heights, and for slopes where it knows them.
     Custom(Custom),
 }
@@ -69,6 +73,7 @@ impl Driver {
             Self::Pattern(pattern) => pattern.check(),
             Self::Gabor(gabor) => gabor.check(),
             Self::Cosines(cosines) => cosines.check(),
+            Self::Warp(warp) => warp.check(),
             Self::Custom(custom) => custom.check(),
         }
     }
@@ -86,6 +91,7 @@ impl Driver {
             Self::Pattern(_) => "values and heights without slopes, `Driver::Pattern`",
             Self::Gabor(_) => "values and heights without slopes, `Driver::Gabor`",
             Self::Cosines(_) => "values, heights and slopes, `Driver::Cosines`",
+            Self::Warp(_) => "values and heights without slopes, `Driver::Warp`",
             Self::Custom(custom) if custom.knows_slopes() => "values, heights and slopes, `Driver::Custom`",
             Self::Custom(_) => "values and heights without slopes, `Driver::Custom`",
         }
@@ -96,6 +102,7 @@ impl Driver {
         match self {
             Self::Moments(_) | Self::Indicators(_) | Self::SlopeMoments(_) => false,
             Self::Noise(_) | Self::Pattern(_) | Self::Gabor(_) => false,
+            Self::Warp(_) => false,
             Self::Cosines(_) => true,
             Self::Custom(custom) => custom.knows_slopes(),
         }
@@ -114,6 +121,7 @@ impl Driver {
             Self::Pattern(pattern) => Some(pattern.function()),
             Self::Gabor(gabor) => Some(gabor.function()),
             Self::Cosines(cosines) => Some(cosines.function(slopes)),
+            Self::Warp(warp) => warp.function(),
             Self::Custom(custom) => Some(custom.function(slopes)),
         }
     }
@@ -134,6 +142,7 @@ impl Driver {
     pub(crate) fn shelf_trips(&self) -> Vec<(&'static str, usize)> {
         match self {
             Self::Gabor(gabor) => gabor.trips(),
+            Self::Warp(warp) => warp.driver.shelf_trips(),
             _ => Vec::new(),
         }
     }
@@ -152,6 +161,7 @@ impl Driver {
     pub(crate) fn foreign(&self) -> &str {
         match self {
             Self::Custom(custom) => &custom.text,
+            Self::Warp(warp) => warp.driver.foreign(),
             _ => "",
         }
     }
@@ -162,7 +172,8 @@ impl Driver {
             Self::Moments(moments) => moments::glue(called, moments),
             Self::Indicators(indicators) => indicators::glue(called, indicators),
             Self::SlopeMoments(moments) => slope_moments::glue(called, moments),
-            Self::Pattern(pattern) => pattern.glue(called),
+            Self::Pattern(pattern) => pattern.glue(called, &pattern.function()),
+            Self::Warp(warp) => warp.glue(called),
             _ => {
                 let slopes = self.knows_slopes() && !matches!(called.function, "texture" | "pair");
                 self.function(slopes).map_or(String::new(), |function| function.glue(called))

@@ -131,9 +131,8 @@ impl Pattern {
         }
     }
 
-    /// That function, and `NAME_color`, which mixes the colors of both values where it filters values.
-    pub(crate) fn glue(&self, called: &Called<'_>) -> String {
-        let function = self.function();
+    /// A function of these values, and `NAME_color`, which mixes the colors of both where it filters values.
+    pub(crate) fn glue(&self, called: &Called<'_>, function: &Function) -> String {
         if called.function != "texture" {
             return function.glue(called);
         }

@@ -45,3 +45,4 @@ pub mod taps;
 pub mod texture;
 pub mod value;
 pub mod visibility;
+pub mod warp;

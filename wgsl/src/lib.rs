@@ -69,6 +69,7 @@ pub const FILES: &[File] = shelf![
     "driver/slope_moments.wgsl",
     "driver/statistics.wgsl",
     "driver/value.wgsl",
+    "driver/warp.wgsl",
     "filter/combine.wgsl",
     "filter/height.wgsl",
     "filter/irradiance.wgsl",

@@ -45,6 +45,7 @@ mod taps;
 mod texture;
 mod value;
 mod visibility;
+mod warp;
 
 use std::fmt;
 
@@ -205,6 +206,7 @@ pub fn all() -> Vec<Row> {
         texture::rows(),
         value::rows(),
         visibility::rows(),
+        warp::rows(),
     ];
     rooms.into_iter().flatten().collect()
 }

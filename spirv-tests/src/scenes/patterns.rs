@@ -2,7 +2,7 @@
 
 use prefilter::driver::cosines::Wave;
 use prefilter::driver::pattern::Motif;
-use prefilter::{Cosines, Driver, Pattern, Pixel, Scene, SlopeTier, Taps, Tier};
+use prefilter::{Cosines, Driver, Pattern, Pixel, Scene, SlopeTier, Taps, Tier, Warp};
 
 use super::{Result, FAST};
 use crate::maps::named;
@@ -20,7 +20,10 @@ pub(super) fn all() -> Result<Vec<(&'static str, Scene)>> {
     let one = Cosines { waves: vec![waves[0]], mean: 0.5, taps: Taps::Four, pixel: Pixel::Round(0.4) };
     let sea = Driver::Cosines(Cosines { waves, ..Cosines::default() });
     let steepness = Scene::new("sea").steepness(named("terrain")?).slope_tier(SlopeTier::Gaussian);
+    let marble = Pattern { motif: Motif::Stripes { duty: 0.3 }, taps: Taps::Two, ..checker };
+    let marble = Driver::Warp(Warp { size: 2.0, ..Warp::of(Driver::Pattern(marble)) });
     Ok(vec![
+        ("pattern_warped", Scene::new("marble").texture(named("terrain")?).tier(FAST).driver(marble)),
         ("cosines_one", Scene::new("ripple").texture(named("steps6")?).tier(FAST).driver(Driver::Cosines(one))),
         ("cosines_steepness", steepness.driver(sea)),
         ("pattern_checker", tiles.clone().tier(FAST).driver(Driver::Pattern(checker))),

@@ -7,6 +7,7 @@ mod footprints;
 mod noises;
 mod periods;
 mod plane;
+mod warp;
 
 use prefilter::gpu::Device;
 use prefilter::{Noise, NoiseBasis};
