@@ -15,6 +15,7 @@ pub mod judged;
 pub mod kernel;
 mod made;
 pub mod maps;
+pub mod noise;
 pub mod program;
 pub mod random;
 pub mod rough;

@@ -5,9 +5,9 @@ use prefilter::gpu::Device;
 use spirv_tests::cliffs::judge::{judge, Extent, Judged, Panel, Row};
 use spirv_tests::cliffs::method::Method;
 use spirv_tests::cliffs::model::gaps;
-use spirv_tests::cliffs::tally::{sizes, Of};
 use spirv_tests::cliffs::{table, Error};
 use spirv_tests::imaging::region::Region;
+use spirv_tests::imaging::tally::{sizes, Of};
 
 const EXTENT: Extent = Extent { size: [112, 56], strata: 16, places: 1, modeled: 101 };
 

@@ -196,6 +196,22 @@ fn the_readme_quotes_the_snake() -> Outcome {
 }
 
 #[test]
+fn the_readme_quotes_the_noise() -> Outcome {
+    let table = rows(include_str!("../../docs/noise.csv"));
+    let of = |input: &'static str| table.iter().filter(move |row| row["input"] == input && row["region"] == "all");
+    let [terrain, steps, blocks] = ["terrain", "steps6", "blocks"].map(of);
+    for ((terrain, steps), blocks) in terrain.zip(steps).zip(blocks) {
+        let mut line = format!("| {} |", terrain["method"]);
+        for row in [terrain, steps, blocks] {
+            let (rms, shimmer) = (row["rms"].parse::<f64>()?, row["shimmer_zoom"].parse::<f64>()?);
+            line += &format!(" {rms:.3} | {} | {shimmer:.3} |", row["samples"]);
+        }
+        assert!(README.lines().any(|readme| readme == line), "the README lacks {line}");
+    }
+    Ok(())
+}
+
+#[test]
 fn modules_quote_the_gap_of_visibility() -> Outcome {
     let sight = rows(include_str!("../../docs/visibility_gap.csv"));
     let light = rows(include_str!("../../docs/shadowing_gap.csv"));

@@ -28,6 +28,7 @@ pub fn ci() -> Result<(), String> {
     summary.step("shaders", shaders::validate);
     // The tests' build takes half a minute where the optimized one, which people run, would first compile for two.
     summary.step("demo --quick", || run(test_binary("demo")?.arg("--quick")));
+    summary.step("noise --quick", || run(test_binary("noise")?.arg("--quick")));
     summary.step("rough --quick", || run(test_binary("rough")?.arg("--quick")));
     summary.step("snake --quick", || run(test_binary("snake")?.arg("--quick")));
     summary.step("cliffs --quick", || run(test_binary("cliffs")?.arg("--quick")));

@@ -21,7 +21,6 @@ pub mod page;
 pub mod scene;
 pub mod sheet;
 pub mod table;
-pub mod tally;
 pub mod truth;
 
 pub use crate::imaging::Error;

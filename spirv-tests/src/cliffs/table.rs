@@ -4,10 +4,10 @@ use super::judge::{Judged, Row, BRUTE};
 use super::method::Method;
 use super::model::gaps;
 use super::scene::{self, LIGHTS};
-use super::tally::{sizes, Of};
 use crate::gap::figure::Figure;
 use crate::imaging::measure::samples_for;
 use crate::imaging::region::Region;
+use crate::imaging::tally::{sizes, Of};
 use std::fmt::Write;
 
 /// All pixels, and those of each region.

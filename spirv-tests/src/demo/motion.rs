@@ -24,11 +24,19 @@ impl Motion {
         }
     }
 
+    /// How far a frame's content has moved, in pixels right and down, and how much longer its lens is.
+    pub fn at(self, frame: usize) -> ([f64; 2], f64) {
+        match self {
+            Self::Pan => ([frame as f64 / 8.0, frame as f64 / 32.0], 1.0),
+            Self::Zoom => ([0.0; 2], 1.02f64.powi(frame as i32)),
+        }
+    }
+
     /// The planes that the frames show.
     pub fn planes(self, plane: Plane, frames: usize) -> Vec<Plane> {
-        let moved = |frame: usize| match self {
-            Self::Pan => plane.panned([frame as f64 / 8.0, frame as f64 / 32.0]),
-            Self::Zoom => plane.zoomed(1.02f64.powi(frame as i32)),
+        let moved = |frame| {
+            let (pan, zoom) = self.at(frame);
+            plane.panned(pan).zoomed(zoom)
         };
         (0..frames).map(moved).collect()
     }

@@ -9,7 +9,14 @@ use std::path::Path;
 
 const HEAD: &str = include_str!("page.html");
 
-/// The other demo, `rough`, writes its picture and its table next to the page.
+/// The demo `noise` writes its picture and its table next to the page.
+const NOISE: &str = "<h2>noise, on a plane and in blocks</h2>
+<p>Noise of which nothing is stored, filtered where it is evaluated, <a href=\"noise.csv\">the errors as a
+table</a>.</p>
+<img src=\"noise.png\" alt=\"noise by nine methods and in truth; made by the binary noise\">
+";
+
+/// So does `rough`.
 const ROUGH: &str = "<h2>a rough surface, colored by height</h2>
 <p>Valleys hide at grazing angles and lie in shadow, <a href=\"rough.csv\">the errors as a table</a>.</p>
 <img src=\"rough.png\" alt=\"a rough surface by three methods and in truth; made by the binary rough\">
@@ -103,7 +110,7 @@ fn html(device: &str, sizes: Sizes, all: &[Judged]) -> String {
     for judged in all {
         section(&mut page, judged);
     }
-    page + ROUGH + SNAKE + CLIFFS + "</main>\n"
+    page + NOISE + ROUGH + SNAKE + CLIFFS + "</main>\n"
 }
 
 fn section(page: &mut String, judged: &Judged) {

@@ -7,6 +7,7 @@ pub mod picture;
 pub mod pixel;
 pub mod region;
 pub mod relief;
+pub mod tally;
 pub mod taps;
 pub mod vector;
 pub mod view;

@@ -22,6 +22,11 @@ impl Default for Pixel {
 }
 
 impl Pixel {
+    /// Equally probable offsets from the middle along one axis, in deviations, from the lowest up.
+    pub fn offsets(&self) -> &[f64] {
+        &self.offsets
+    }
+
     /// `strata`² places about the middle of a pixel, in pixels; `strata` is a power of two up to 64. A seed draws
     /// the same places for a pixel of the same number every time.
     pub fn samples(&self, strata: usize, seed: u64, number: u64) -> impl Iterator<Item = [f64; 2]> + '_ {

@@ -1,4 +1,4 @@
-//! Errors of pixels by how much of the ground they resolve, and the figures that they make.
+//! Errors of pixels by how much they resolve, and the figures that they make.
 
 use crate::gap::figure::Figure;
 use crate::imaging::measure::{self, Deviation};
