@@ -11,6 +11,7 @@ use prefilter::{
     Accuracy, ColorMap, Colors, Combination, Custom, Distribution, Driver, Error as Refused, Kernel, Moments, Ranges,
     Scene, Taps, Tier,
 };
+use spirv_tests::any::number;
 use spirv_tests::exports::ExportKernel;
 use spirv_tests::maps::named;
 use spirv_tests::random::Random;
@@ -158,8 +159,7 @@ fn a_device_returns_means_over_two_normal_distributions() -> Outcome {
     Ok(())
 }
 
-/// Skewness and excess kurtosis reach the filter from a driver, at one tap and at several, whose colors are averaged;
-/// a driver without them has none that can.
+/// Skewness and excess kurtosis reach the filter from a driver, at one tap and at several, whose colors are averaged.
 #[test]
 fn drivers_say_the_shape() -> Outcome {
     let device = Device::new()?;
@@ -181,14 +181,35 @@ fn drivers_say_the_shape() -> Outcome {
         assert!(largest(truth, normal) > 0.01);
     }
     let scene = Scene::new("hill").texture(map.clone()).distribution(Distribution::Pair);
-    let error = scene.clone().driver(Driver::Moments(Moments::default())).module().expect_err("two moments");
-    assert!(
-        error.to_string().contains("two normal distributions for a driver that gives mean and deviation"),
-        "{error}"
-    );
+    let images = scene.clone().driver(Driver::Moments(Moments::default())).module()?;
+    assert!(images.wgsl().contains("return hill_pair(m.x, sqrt(max(m.y, 0.0)), m.z, m.w);"), "{}", images.wgsl());
     let layers = Scene::new("rock").combination(Combination::color([1.0; 3])? * &scene);
     let error = layers.module().expect_err("a layer has one distribution");
     assert!(error.to_string().contains("two normal distributions, of which layers have one"), "{error}");
+    Ok(())
+}
+
+/// Ends of any place and width, about the map and far from it, make a finite table or an error.
+#[test]
+fn any_ends_are_a_table_or_an_error() -> Outcome {
+    let mut random = Random::new(29);
+    let map = ColorMap::gradient([(-0.5, [0.1, 0.5, 0.9]), (0.3, [0.9, 0.2, 0.1]), (0.3, [0.0; 3]), (2.0, [1.0; 3])])?;
+    let mut made = 0;
+    for _ in 0..48 {
+        let any = [number(&mut random), number(&mut random)];
+        let low = random.pick([-65504.0, -3.0, -0.5, 0.0, 0.29, 0.3, 2.0, 1000.0, any[0]]);
+        let high = low + random.pick([0.0, 2e-3, 0.011, 1.0, 70.0, 1e5, any[1]]);
+        match Scene::new("judged").texture(map.clone()).distribution(beta(low, high)).module() {
+            Ok(module) => {
+                let texels = &module.tables()[0].levels[0].texels;
+                assert!(texels.iter().all(|texel| (0.0..=1.0).contains(texel)), "{low}, {high}");
+                assert!(module.bound().value().is_finite(), "{low}, {high}");
+                made += 1;
+            }
+            Err(error) => assert!(matches!(error, Refused::Value { .. }), "{low}, {high}: {error}"),
+        }
+    }
+    assert!(made >= 10, "{made}");
     Ok(())
 }
 

@@ -116,3 +116,28 @@ impl Plan<'_> {
         lattice.error(texels, self.map, judged, near, truth)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Rows of parts of the largest deviation are several times as close as rows of deviations, along whose columns the
+    /// color bends where all values are at the ends.
+    #[test]
+    fn bounded_values_are_read_by_parts_of_the_largest_deviation() {
+        let color = |value: f64| [value, 1.0 - value, value * value, 1.0];
+        let knots = (0..=10).map(|knot| 0.1 * f64::from(knot)).map(|at| (at, color(at * at), color(at * at))).collect();
+        let map = PiecewiseLinear { knots };
+        let means = Axis { low: 0.0, high: 1.0, count: 128, spacing: Spacing::Linear };
+        let parts = Axis { low: 0.0, high: 1.0, count: 16, spacing: Spacing::SquareRoot };
+        let by_parts = Plan { map: &map, means, deviations: parts, judged: (0.0, 1.0) }.of_bounded_values("table");
+        let deviations = Axis { low: 0.0, high: 0.5, count: 16, spacing: Spacing::CubeRoot };
+        let lattice = Lattice([means, deviations, FLAT]);
+        let near = |mean: f64, deviation: f64| Beta::new([0.0, 1.0], mean, deviation).mean(&map);
+        let truth = |mean: f64, deviation: f64| Beta::new([0.0, 1.0], mean, deviation).mean_by_parts(&map);
+        let texels = lattice.texels(|_, mean, deviation| near(mean, deviation));
+        let judged = Judged { low: 0.0, high: 1.0, least: FLOOR, third: 0.0 };
+        let by_deviations = lattice.error(&texels, &map, judged, near, truth);
+        assert!(by_parts.error * 3.0 < by_deviations, "{} {by_deviations}", by_parts.error);
+    }
+}
