@@ -57,13 +57,7 @@ impl NoiseFold {
 
 /// The statements that add an octave `n` whose derivatives along the footprint's vectors are `slope`: of all of it, and
 /// of one of which nothing is left.
-pub(super) fn added(folded: bool, slope: &str, variance: &str, share: f64) -> [String; 2] {
-    if !folded {
-        return [
-            format!("sum = fractal_add(sum, amplitude, weights, n.x, {slope});"),
-            "sum.rest += amplitude * amplitude; // nothing of it is left".to_owned(),
-        ];
-    }
+pub(super) fn added(slope: &str, variance: &str, share: f64) -> [String; 2] {
     let [mean, rest] = [share * variance.parse::<f64>().unwrap_or(1.0).sqrt(), 1.0 - share * share];
     [
         format!(

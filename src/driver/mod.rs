@@ -12,6 +12,7 @@ pub mod indicators;
 pub mod moment_mipmap;
 pub mod moments;
 pub mod noise;
+mod octaves;
 pub mod pattern;
 mod pyramid;
 mod slope_grid;

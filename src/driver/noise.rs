@@ -1,6 +1,6 @@
 //! The driver of noise: sums of octaves on lattices, and what a footprint holds of them.
 
-use super::fold::{added, NoiseFold};
+use super::fold::NoiseFold;
 use super::function::{Dimensions, Function};
 use super::taps::{Pixel, Taps};
 use crate::Error;
@@ -80,16 +80,13 @@ pub enum NoiseMethod {
 }
 
 /// Names of the shelf's functions, and the variance of the noise.
-struct Shelf {
-    name: &'static str,
-    variance: &'static str,
+pub(super) struct Shelf {
+    pub name: &'static str,
+    pub variance: &'static str,
     /// Its mean of |n| over the plane, over its deviation; a test measures it.
-    folded: f64,
-    periodic: bool,
+    pub folded: f64,
+    pub periodic: bool,
 }
-
-/// Where an octave has the origin of the one before, 1/φ and √2 − 1: no lattice point of one is near one of another.
-const OFFSET: &str = "vec2f(0.618033989, 0.414213562)";
 
 impl Default for Noise {
     fn default() -> Self {
@@ -112,7 +109,7 @@ impl Default for Noise {
 }
 
 impl NoiseBasis {
-    fn shelf(self) -> Shelf {
+    pub(super) fn shelf(self) -> Shelf {
         let (name, variance, folded, periodic) = match self {
             Self::Perlin => ("perlin", "0.0465311504", 0.8166, true),
             Self::Value => ("value", "0.204650088", 0.837, true),
@@ -199,7 +196,7 @@ impl Noise {
     }
 
     /// Where the sum of octaves is 0, and its scale.
-    fn placed(&self) -> [f32; 2] {
+    pub(super) fn placed(&self) -> [f32; 2] {
         let sum = |power: i32| -> f64 {
             (0..self.octaves).map(|octave| f64::from(self.gain).powi(power * octave as i32)).sum()
         };
@@ -215,62 +212,4 @@ impl Noise {
         };
         [(f64::from(self.mean) + start) as f32, scale as f32]
     }
-
-    /// The loop over octaves.
-    fn body(&self) -> String {
-        let Shelf { name, variance, folded, periodic } = self.basis.shelf();
-        let Self { octaves, gain, lacunarity, .. } = *self;
-        let ([mean, scale], seed) = (self.placed(), self.seed.wrapping_mul(0x9e37_79b1));
-        let tile = if periodic { format!(", vec2f({:?})", self.period as f32) } else { String::new() };
-        let tile = if self.period > 0 { ", tile".to_owned() } else { tile };
-        let (mut before, mut after) = (String::new(), String::new());
-        if self.period > 0 {
-            before += &format!("    var tile = vec2f({:?});\n", self.period as f32);
-            after += &format!("        tile *= {lacunarity:?};\n");
-        }
-        let step = if self.rotation == 0.0 {
-            format!("{lacunarity:?}")
-        } else {
-            let (sin, cos) = (f64::from(self.rotation)).sin_cos();
-            let [cos, sin] = [cos, sin].map(|part| (part * f64::from(lacunarity)) as f32);
-            before += &format!("    let step = mat2x2f({cos:?}, {sin:?}, {:?}, {cos:?});\n", -sin);
-            "step".to_owned()
-        };
-        let (weights, slope) = match self.method {
-            NoiseMethod::Gradient => {
-                before += "    var right = across;\n    var down = along;\n";
-                after += &format!("        right = {step} * right;\n        down = {step} * down;\n");
-                (format!("{name}_filter(deviations)"), "vec2f(dot(right, n.yz), dot(down, n.yz))")
-            }
-            NoiseMethod::Stationary => {
-                after += "";
-                (format!("fractal_stationary({name}_lost(vec2f(1.41421356 * deviations.x)))"), "vec2f()")
-            }
-        };
-        let [octave, lost] = added(self.fold != NoiseFold::None, slope, variance, folded);
-        format!(
-            "    // Deviations of the footprint in cells of an octave.
-    var deviations = footprint_deviations(vec3f(dot(across, across), dot(across, along), dot(along, along)));
-    var sum = fractal_sum(0.0, 0.0, vec2f());
-    var at = position;
-    var amplitude = 1.0;
-{before}    for (var octave = 0u; octave < {octaves}u; octave++) {{
-        let weights = {weights};
-        if weights.x > {CUT:?} {{
-            let n = {name}_noise(at{tile}, {seed}u + octave);
-            {octave}
-        }} else {{
-            {lost}
-        }}
-        amplitude *= {gain:?};
-        deviations *= {lacunarity:?};
-        at = {step} * at + {OFFSET};
-{after}    }}
-    return fractal_statistics(sum, {mean:?}, {scale:?}, {variance});
-"
-        )
-    }
 }
-
-/// The multiplier below which an octave is not evaluated: it would change the sum by a thousandth of its deviation.
-const CUT: f32 = 1e-3;

@@ -46,8 +46,8 @@ fn value_noise(position: vec2f, period: vec2f, seed: u32) -> vec3f {
 fn value_lost(deviations: vec2f) -> f32 {
     let s = clamp(deviations, vec2f(), vec2f(1e3));
     let all = 1.0 + s * (1.53926561 + s * (4.10173767 + s * (4.25332484 + 3.25574062 * s)));
-    let a = s * s * (1.82320442 + s * (2.60700891 + 3.25574062 * s)) / all;
-    return a.x + a.y - a.x * a.y;
+    let a = s * s * (1.82320442 + s * (2.60700891 + 3.25574062 * s));
+    return (a.x * all.y + a.y * all.x - a.x * a.y) / (all.x * all.y);
 }
 
 /// How a point of the noise stands for a footprint whose deviations along the major and the minor axis, in cells, are
@@ -62,6 +62,7 @@ fn value_filter(deviations: vec2f) -> vec3f {
     let u = s * s;
     let wide = 8.56982598 + 13.6938601 * s.x + s.y * (53.4998582 * s.y - 19.4372272);
     let inverse = 1.0 + u.x * wide + 6.9267625 * u.y;
-    let share = 3.64640884 * (u.x + u.y) / inverse;
-    return vec3f(1.0 - lost, inverseSqrt(inverse), max(lost * (2.0 - lost) - share, 0.0));
+    let coupling = inverseSqrt(inverse);
+    let share = 3.64640884 * (u.x + u.y) * coupling * coupling;
+    return vec3f(1.0 - lost, coupling, lost * (2.0 - lost) - share);
 }

@@ -1,9 +1,12 @@
 //! Sums of octaves: moments added one by one.
 
+use prefilter::reference::footprint::{covariance, deviations};
+
 use super::Row;
 
 pub(super) fn rows() -> Vec<Row> {
     vec![
+        Row::new("fractal_deviations", |x| deviations(covariance([x[0], x[1]], [x[2], x[3]], [1.0, 0.0, 1.0]))),
         Row::new("fractal_add", |x| {
             let [mean, rest, across, along, amplitude, multiplier, coupling, left] = std::array::from_fn(|at| x[at]);
             let octave = [multiplier * x[8], amplitude * left, coupling * x[9], coupling * x[10]];

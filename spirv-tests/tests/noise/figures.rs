@@ -5,21 +5,18 @@ use prefilter::{Driver, Kernel, Module, Noise, NoiseMethod, Scene, Taps, Tier};
 use spirv_tests::maps::named;
 
 use crate::plane::{filtered, square, Plane, Truth};
-use crate::{octaves, Outcome};
+use crate::{octaves, Found, Outcome};
 
 const SEEDS: [u32; 4] = [1, 2, 3, 4];
 
 /// A module of six octaves of Perlin's noise under a map.
-fn module(map: &str, tier: Tier, noise: Noise) -> Result<Module, Box<dyn std::error::Error + Send + Sync>> {
+fn module(map: &str, tier: Tier, noise: Noise) -> Found<Module> {
     Ok(Scene::new("rock").texture(named(map)?).tier(tier).driver(Driver::Noise(noise)).module()?)
 }
 
 /// Root mean square errors in thousandths by six ways, with their standard errors over the seeds, and that of the
 /// truth.
-fn errors(
-    device: &Device,
-    map: &str,
-) -> Result<Vec<(&'static str, f64, f64)>, Box<dyn std::error::Error + Send + Sync>> {
+fn errors(device: &Device, map: &str) -> Found<Vec<(&'static str, f64, f64)>> {
     let exact = Tier::ClosedForm(Kernel::Exact);
     let taps = |taps| (exact, Noise { taps, ..Noise::default() });
     let ways = [
@@ -57,7 +54,7 @@ fn errors(
 }
 
 /// What `explain` says of the errors under a terrain map and under hard steps, in thousandths.
-fn said(noise: Noise) -> Result<[f64; 2], Box<dyn std::error::Error + Send + Sync>> {
+fn said(noise: Noise) -> Found<[f64; 2]> {
     let module = module("terrain", Tier::Naive, noise)?;
     let explained = module.explain();
     let (_, gap) = explained.split_once("RMS of").ok_or("no figure")?;

@@ -1,5 +1,6 @@
 //! Procedural noise on the device: its statistics, its periods, its seeds and its gradient.
 
+mod cost;
 mod driver;
 mod figures;
 mod folds;
@@ -13,14 +14,11 @@ use prefilter::gpu::Device;
 use prefilter::{Noise, NoiseBasis};
 use spirv_tests::kernel::Function;
 
-type Outcome = Result<(), Box<dyn std::error::Error + Send + Sync>>;
+type Found<T> = Result<T, Box<dyn std::error::Error + Send + Sync>>;
+type Outcome = Found<()>;
 
 /// The results of a function of the shelf at lists of numbers.
-fn at(
-    device: &Device,
-    name: &str,
-    points: &[Vec<f64>],
-) -> Result<Vec<Vec<f64>>, Box<dyn std::error::Error + Send + Sync>> {
+fn at(device: &Device, name: &str, points: &[Vec<f64>]) -> Found<Vec<Vec<f64>>> {
     let shelf = Function::shelf()?;
     let function = shelf.iter().find(|function| function.name == name).ok_or("no such function")?;
     Ok(function.results(device, &[], points)?)

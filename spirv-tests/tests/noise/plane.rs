@@ -5,7 +5,7 @@ use prefilter::{Module, Scene, Tier};
 use spirv_tests::maps::named;
 use spirv_tests::random::Random;
 
-use crate::Outcome;
+use crate::{Found, Outcome};
 
 /// Pixels a row, rows, and the distance of the first from the horizon.
 const SIZE: [usize; 2] = [48, 36];
@@ -95,12 +95,7 @@ pub struct Truth {
 }
 
 impl Truth {
-    pub fn new(
-        map: &str,
-        noise: &str,
-        side: u32,
-        jitter: u32,
-    ) -> Result<Self, Box<dyn std::error::Error + Send + Sync>> {
+    pub fn new(map: &str, noise: &str, side: u32, jitter: u32) -> Found<Self> {
         let module = Scene::new("truth").texture(named(map)?).tier(Tier::Naive).module()?;
         let point = "fn color(p: array<f32, 6>) -> vec3f {
     return truth_texture(truth_noise(vec2f(p[0], p[1])), 0.0);
