@@ -18,6 +18,7 @@ mod pyramid;
 mod slope_grid;
 pub mod slope_mipmap;
 pub mod slope_moments;
+mod solid;
 pub mod taps;
 pub mod warp;
 

@@ -2,6 +2,7 @@
 
 use super::fold::NoiseFold;
 use super::function::{Dimensions, Function};
+use super::solid::{self, Solid};
 use super::taps::{Pixel, Taps};
 use crate::Error;
 
@@ -65,6 +66,10 @@ pub enum NoiseBasis {
     Value,
     /// Lines at the points of a lattice of triangles, which cannot tile.
     Simplex,
+    /// Perlin's in space, of a position with three coordinates: a surface cuts it.
+    PerlinSolid,
+    /// Values at the points of a cubic lattice in space.
+    ValueSolid,
 }
 
 /// How mean and variance over a footprint are told from one evaluation of the noise.
@@ -114,8 +119,20 @@ impl NoiseBasis {
             Self::Perlin => ("perlin", "0.0465311504", 0.8166, true),
             Self::Value => ("value", "0.204650088", 0.837, true),
             Self::Simplex => ("simplex", "0.144655223", 0.8667, false),
+            Self::PerlinSolid => ("perlin_solid", "0.0729189457", 0.0, true),
+            Self::ValueSolid => ("value_solid", "0.160353532", 0.0, true),
         };
         Shelf { name, variance, folded, periodic }
+    }
+
+    /// Names of the shelf, of a noise in space.
+    fn solid(self) -> Option<Solid> {
+        match self {
+            Self::Perlin | Self::Value | Self::Simplex => None,
+            Self::PerlinSolid => Some(Solid { noise: "perlin_solid", filter: "perlin_solid" }),
+            // A plane cuts its correlation to that of the noise in the plane.
+            Self::ValueSolid => Some(Solid { noise: "value_solid", filter: "value" }),
+        }
     }
 }
 
@@ -133,6 +150,9 @@ impl Noise {
         }
         if self.fold != NoiseFold::None && self.method == NoiseMethod::Stationary {
             return Err(Error::Conflict("folded noise has the method `Gradient`: the paper's knows no folds".into()));
+        }
+        if self.fold != NoiseFold::None && self.basis.solid().is_some() {
+            return Err(Error::Conflict("folded noise is of the plane: its basis is not in space".into()));
         }
         let numbers = [
             ("gain", self.gain, f32::MIN_POSITIVE, 1.0),
@@ -168,10 +188,14 @@ impl Noise {
 
     /// What it says of a footprint.
     pub(crate) fn function(&self) -> Function {
+        let solid = self.basis.solid();
         Function {
             what: format!("{} octaves of noise", self.octaves),
-            dimensions: Dimensions::Plane,
-            body: self.body(),
+            dimensions: if solid.is_some() { Dimensions::Solid } else { Dimensions::Plane },
+            body: solid.map_or_else(
+                || self.body(),
+                |solid| solid::body(self, &solid, self.placed(), self.basis.shelf().variance),
+            ),
             surface: false,
             trips: self.octaves as usize,
             taps: self.taps,

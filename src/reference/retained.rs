@@ -16,6 +16,8 @@ pub enum Noise {
     Value,
     /// Lines on a lattice of triangles.
     Simplex,
+    /// Lines on a cubic lattice, cut by a plane through it.
+    PerlinSolid,
 }
 
 /// Means over normal offsets between two points: of the autocorrelation, and of the square of its gradient.
@@ -37,6 +39,7 @@ impl Noise {
     pub fn slopes(self) -> f64 {
         match self {
             Self::Perlin => 0.5 * (axes().curvatures[0] + axes().curvatures[1]),
+            Self::PerlinSolid => (2.0 * axes().curvatures[0] + axes().curvatures[1]) / 3.0,
             Self::Value => axes().curvatures[0],
             Self::Simplex => kernel().curvature,
         }
@@ -61,6 +64,15 @@ impl Noise {
         let [x, y] = [x, y].map(|deviation| axes().means(deviation));
         if self == Self::Value {
             return Means { correlation: x.a * y.a, gradient: x.steep_aa * y.aa + x.aa * y.steep_aa };
+        }
+        if self == Self::PerlinSolid {
+            // R = ⅓ (B A + A B + A A), and its derivatives likewise.
+            let along = |x: Averages, y: Averages| {
+                let squares = x.steep_bb * y.aa + x.steep_aa * y.bb + x.steep_aa * y.aa;
+                squares + 2.0 * (x.steep_ab * y.ab + x.steep_ab * y.aa + x.steep_aa * y.ab)
+            };
+            let correlation = (x.b * y.a + x.a * y.b + x.a * y.a) / 3.0;
+            return Means { correlation, gradient: (along(x, y) + along(y, x)) / 9.0 };
         }
         // R = ½ (B A + A B), and its derivatives likewise.
         let along = |x: Averages, y: Averages| x.steep_bb * y.aa + 2.0 * x.steep_ab * y.ab + x.steep_aa * y.bb;

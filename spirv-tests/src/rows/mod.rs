@@ -22,6 +22,7 @@ mod heights;
 mod indicators;
 mod irradiance;
 mod lattice;
+mod lattice_solid;
 mod mixture;
 mod moment_pyramid;
 mod moments;
@@ -30,6 +31,7 @@ mod normals;
 mod pattern;
 mod percentile;
 mod perlin;
+mod perlin_solid;
 mod perturbed;
 mod pulse;
 mod rice;
@@ -44,6 +46,7 @@ mod steepness;
 mod taps;
 mod texture;
 mod value;
+mod value_solid;
 mod visibility;
 mod warp;
 
@@ -183,6 +186,7 @@ pub fn all() -> Vec<Row> {
         indicators::rows(),
         irradiance::rows(),
         lattice::rows(),
+        lattice_solid::rows(),
         mixture::rows(),
         moment_pyramid::rows(),
         moments::rows(),
@@ -191,6 +195,7 @@ pub fn all() -> Vec<Row> {
         pattern::rows(),
         percentile::rows(),
         perlin::rows(),
+        perlin_solid::rows(),
         perturbed::rows(),
         pulse::rows(),
         rice::rows(),
@@ -205,6 +210,7 @@ pub fn all() -> Vec<Row> {
         taps::rows(),
         texture::rows(),
         value::rows(),
+        value_solid::rows(),
         visibility::rows(),
         warp::rows(),
     ];

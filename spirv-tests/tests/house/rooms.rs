@@ -26,6 +26,8 @@ const INSTEAD: &[(&str, &str, &str)] = &[
     ("wgsl/driver/fractal.wgsl", "src/driver/fractal", "src/driver/noise"),
     ("wgsl/driver/perlin.wgsl", "src/driver/perlin", "src/driver/noise"),
     ("wgsl/driver/simplex.wgsl", "src/driver/simplex", "src/driver/noise"),
+    ("wgsl/driver/perlin_solid.wgsl", "src/driver/perlin_solid", "src/driver/solid"),
+    ("wgsl/driver/value_solid.wgsl", "src/driver/value_solid", "src/driver/solid"),
     ("wgsl/driver/value.wgsl", "src/driver/value", "src/driver/noise"),
     // Axes come in pairs: the inverse of the shader's axis is the baker's, which tables need anyway.
     ("wgsl/math/grid.wgsl", "src/reference/grid", "src/table/grid"),

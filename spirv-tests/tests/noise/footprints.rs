@@ -78,7 +78,8 @@ fn lost_variances_are_those_of_samples() -> Outcome {
 #[test]
 fn retained_power_is_that_of_the_autocorrelation() -> Outcome {
     let device = Device::new()?;
-    for (name, _, octave, _) in NOISES {
+    let solid = [("perlin_solid", Octave::PerlinSolid)];
+    for (name, octave) in NOISES.map(|(name, _, octave, _)| (name, octave)).into_iter().chain(solid) {
         let deviations =
             |aspect: f64| (0..200).map(move |step| 0.004 * 1.05f64.powi(step)).map(move |s| [s, aspect * s]);
         let all: Vec<[f64; 2]> = [1.0, 0.3, 0.03].into_iter().flat_map(deviations).collect();
@@ -93,6 +94,7 @@ fn retained_power_is_that_of_the_autocorrelation() -> Outcome {
             Octave::Perlin => 8.383_952_08,
             Octave::Value => 3.646_408_84,
             Octave::Simplex => 160.0 / 7.0,
+            Octave::PerlinSolid => 6.804_770_99,
         };
         assert!((octave.slopes() / slopes - 1.0).abs() < 1e-5, "{name}: {}", octave.slopes());
     }

@@ -8,6 +8,7 @@ mod footprints;
 mod noises;
 mod periods;
 mod plane;
+mod solid;
 mod warp;
 
 use prefilter::gpu::Device;
@@ -26,16 +27,12 @@ fn at(device: &Device, name: &str, points: &[Vec<f64>]) -> Found<Vec<Vec<f64>>> 
 
 /// A function `truth_noise(position: vec2f) -> f32`: the driver's noise by its definition, without a footprint.
 fn octaves(noise: &Noise) -> String {
-    let name = match noise.basis {
-        NoiseBasis::Perlin => "perlin",
-        NoiseBasis::Value => "value",
-        NoiseBasis::Simplex => "simplex",
-    };
     // The variances of the definitions, which a test here finds again.
-    let variance = match noise.basis {
-        NoiseBasis::Perlin => 181.0 / 231.0 * 535.0 / 9009.0,
-        NoiseBasis::Value => (181f64 / 231.0).powi(2) / 3.0,
-        NoiseBasis::Simplex => 4900.0 * 3f64.sqrt() * std::f64::consts::PI / 184_320.0,
+    let (name, variance) = match noise.basis {
+        NoiseBasis::Perlin => ("perlin", 181.0 / 231.0 * 535.0 / 9009.0),
+        NoiseBasis::Value => ("value", (181f64 / 231.0).powi(2) / 3.0),
+        NoiseBasis::Simplex => ("simplex", 4900.0 * 3f64.sqrt() * std::f64::consts::PI / 184_320.0),
+        NoiseBasis::PerlinSolid | NoiseBasis::ValueSolid => panic!("a noise of the plane"),
     };
     let gain = f64::from(noise.gain);
     let power: f64 = (0..noise.octaves).map(|octave| gain.powi(2 * octave as i32)).sum();

@@ -18,6 +18,7 @@ pub(in crate::scenes) fn all() -> Result<Vec<(&'static str, Scene)>> {
         ("noise_height", rock(Noise::default()).height(named("terrain")?).height_tier(HeightTier::Gaussian)),
         ("noise_ridged", rock(Noise { fold: NoiseFold::Ridged, ..Noise::default() }).texture(named("terrain")?)),
         ("noise_stationary", rock(paper).texture(named("steps6")?)),
+        ("noise_solid", rock(Noise { basis: NoiseBasis::PerlinSolid, ..Noise::default() }).texture(named("terrain")?)),
         ("noise_tiles", rock(tiles).texture(named("steps6")?)),
     ])
 }
