@@ -4,9 +4,8 @@
 //!
 //! `cargo run --release --example ocean --features gpu`
 
-use prefilter::driver::cosines::Wave;
 use prefilter::gpu::{Device, Kernel, Work};
-use prefilter::{ColorMap, Cosines, Driver, Pixel, Scene};
+use prefilter::{ColorMap, Cosines, Driver, Pixel, Scene, Wave};
 
 const WIDTH: u32 = 960;
 const HEIGHT: u32 = 400;

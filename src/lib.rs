@@ -46,8 +46,8 @@
 //!
 //! | [`Tier`] | cost | error |
 //! |---|---|---|
-//! | [`ClosedForm`](Tier::ClosedForm), fast | some 25 operations a stop | 3e-4 for six stops |
-//! | [`ClosedForm`](Tier::ClosedForm), exact | some 30 operations a stop | f32 rounding |
+//! | [`ClosedForm`](Tier::ClosedForm), fast | some 33 operations a stop | 2e-5 for six stops, 5e-5 for six hard edges |
+//! | [`ClosedForm`](Tier::ClosedForm), exact | some 37 operations a stop | 1e-5 for six stops: f32 rounding |
 //! | [`Table`](Tier::Table) | one fetch, 64 KiB | a few thousandths for gradients; not for hard edges |
 //! | [`Paper`](Tier::Paper) | one fetch, 512 KiB | as the paper's, to compare with |
 //! | [`Naive`](Tier::Naive) | a few operations | everything that this crate is about |
@@ -55,6 +55,20 @@
 //! A scene that names no tier gets the lightest whose bound keeps its accuracy. A [`Bound`] is against the integral;
 //! how far the covered values are from a normal distribution is the driver's matter, and `cargo xtask demo` measures
 //! it.
+//!
+//! # Drivers
+//!
+//! A [`Driver`] finds the statistics of a pixel's footprint, so that a module exports `NAME_color(position, dpdx, dpdy,
+//! …)`. Some read an image's pyramid: [`Moments`] and [`Indicators`] that of values, [`SlopeMoments`] that of slopes.
+//! The others are functions of the position, of which nothing is stored:
+//!
+//! - in the plane: [`Noise`], [`Pattern`], [`Cosines`], which knows slopes, and [`Warp`], another function of the plane
+//!   at positions that noise displaces;
+//! - in a solid that a surface cuts: [`Gabor`], and [`Noise`] of a solid [`NoiseBasis`];
+//! - in either: [`Custom`], a function of yours in WGSL, with slopes where it has them.
+//!
+//! All evaluate one to eight points of a footprint, [`Taps`]. A scene without a driver takes the statistics as
+//! arguments. What values of that mean and deviation are taken for is their [`Distribution`], by default a normal one.
 //!
 //! # Color by height
 //!
@@ -132,7 +146,7 @@ pub mod transfer;
 
 pub use accuracy::{Accuracy, Bound, Ranges};
 pub use cost::Cost;
-pub use driver::cosines::Cosines;
+pub use driver::cosines::{Cosines, Wave};
 pub use driver::custom::Custom;
 pub use driver::fold::NoiseFold;
 pub use driver::four_moments::FourMomentMipmap;
@@ -143,7 +157,7 @@ pub use driver::indicators::Indicators;
 pub use driver::moment_mipmap::{Edge, MomentMipmap};
 pub use driver::moments::Moments;
 pub use driver::noise::{Noise, NoiseBasis, NoiseMethod};
-pub use driver::pattern::Pattern;
+pub use driver::pattern::{Motif, Pattern};
 pub use driver::slope_mipmap::SlopeMipmap;
 pub use driver::slope_moments::SlopeMoments;
 pub use driver::taps::{Pixel, Taps};

@@ -160,13 +160,29 @@ pub fn link(modules: &[&Module], text: &str) -> Result<Shader, Error> {
         }
         whole.push_str(&module.glue);
     }
-    for module in modules {
+    for (number, module) in modules.iter().enumerate() {
+        modules[..number].iter().try_for_each(|other| shares_nothing(module, other))?;
         add_foreign(&mut whole, &module.foreign);
     }
     let path = "shader.wgsl";
     let linked = prefilter_wgsl::link(&whole).map_err(|collision| Error::Collision { path: path.into(), collision })?;
     modules.iter().try_for_each(|module| hides_nothing(path, text, module))?;
     Shader::new(path, linked)
+}
+
+/// Refuses two modules whose drivers' texts declare one name differently: one of them would call the other's.
+fn shares_nothing(module: &Module, other: &Module) -> Result<(), Error> {
+    let known = prefilter_wgsl::declarations(&other.foreign);
+    let differs = |own: &prefilter_wgsl::Declaration<'_>| {
+        known.iter().any(|known| known.name == own.name && known.text.trim() != own.text.trim())
+    };
+    match prefilter_wgsl::declarations(&module.foreign).into_iter().find(differs) {
+        None => Ok(()),
+        Some(own) => {
+            let (name, first, second) = (own.name, &other.name, &module.name);
+            Err(Error::Conflict(format!("the drivers of `{first}` and `{second}` declare `{name}` differently")))
+        }
+    }
 }
 
 /// Adds the declarations of a text whose names are not declared yet.

@@ -149,6 +149,8 @@ fn functions_that_do_not_fit_are_refused() -> Outcome {
     };
     let plane = SQUARES.replace("VEC", "vec2f").replace("WEIGHT", "1.0");
     assert_eq!(refused(scene()?, &plane, "squares"), "");
+    let renamed = plane.replace("position", "vector").replace("vec2f", "vec2<f32>");
+    assert_eq!(refused(scene()?, &renamed, "squares"), "");
     let cases = [
         (refused(scene()?, &plane, "cubes"), "declares no `cubes`; it needs `fn cubes(position: vec2f"),
         (refused(scene()?, &plane.replace("-> vec4f", "-> f32"), "squares"), "allowed is `fn squares(position: vec2f"),
@@ -159,6 +161,10 @@ fn functions_that_do_not_fit_are_refused() -> Outcome {
                 "squares",
             ),
             "declares no `squares_slope_covariance`",
+        ),
+        (
+            refused(scene()?, &plane.replace("along: vec2f)", "along: vec2f, time: f32)"), "squares"),
+            "allowed is `fn squares(position: vec2f",
         ),
         (refused(scene()?, "fn squares(", "squares"), "`fn squares(` does not match"),
         (
@@ -189,5 +195,9 @@ fn a_function_stands_once_in_what_is_linked() -> Outcome {
         assert_eq!(linked.wgsl().matches("fn squares(").count(), 1);
         assert!(linked.wgsl().contains("fn moss_color(") && linked.wgsl().contains("fn rock_color("));
     }
+    let other = Custom::new(text.replace("0.0, 0.0, 0.0", "1.0, 0.0, 0.0"), "squares");
+    let sand = Scene::new("sand").texture(gradient()?).driver(Driver::Custom(other)).module()?;
+    let refused = prefilter::link(&[&moss, &sand], "").expect_err("one name, two functions").to_string();
+    assert!(refused.contains("the drivers of `moss` and `sand` declare `squares` differently"), "{refused}");
     Ok(())
 }

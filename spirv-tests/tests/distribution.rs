@@ -8,8 +8,8 @@ use prefilter::reference::beta::Beta;
 use prefilter::reference::mixture::Pair;
 use prefilter::reference::texture::{mean, PiecewiseLinear};
 use prefilter::{
-    Accuracy, ColorMap, Colors, Combination, Custom, Distribution, Driver, Error as Refused, Kernel, Moments, Ranges,
-    Scene, Taps, Tier,
+    Accuracy, ColorMap, Colors, Combination, Custom, Distribution, Driver, Error as Refused, Kernel, Moments, Noise,
+    Ranges, Scene, Taps, Tier,
 };
 use spirv_tests::any::number;
 use spirv_tests::exports::ExportKernel;
@@ -181,6 +181,8 @@ fn drivers_say_the_shape() -> Outcome {
         assert!(largest(truth, normal) > 0.01);
     }
     let scene = Scene::new("hill").texture(map.clone()).distribution(Distribution::Pair);
+    let unknown = scene.clone().driver(Driver::Noise(Noise::default())).module().expect_err("noise has no shape");
+    assert!(unknown.to_string().contains("but not their shape"), "{unknown}");
     let images = scene.clone().driver(Driver::Moments(Moments::default())).module()?;
     assert!(images.wgsl().contains("return hill_pair(m.x, sqrt(max(m.y, 0.0)), m.z, m.w);"), "{}", images.wgsl());
     let layers = Scene::new("rock").combination(Combination::color([1.0; 3])? * &scene);

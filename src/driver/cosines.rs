@@ -38,8 +38,7 @@ pub struct Wave {
 /// the text.
 ///
 /// ```
-/// use prefilter::driver::cosines::Wave;
-/// use prefilter::{ColorMap, Cosines, Driver, Scene};
+/// use prefilter::{ColorMap, Cosines, Driver, Scene, Wave};
 /// let wave = |x: f32, y: f32, amplitude: f32| Wave { frequency: [x, y], amplitude, phase: 0.2 };
 /// let waves = vec![wave(0.8, 0.1, 0.1), wave(1.7, -0.6, 0.04), wave(3.1, 1.2, 0.02)];
 /// let steep = ColorMap::gradient([(0.0, [0.0, 0.1, 0.2]), (0.6, [0.5, 0.7, 0.7])])?;

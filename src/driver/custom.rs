@@ -108,10 +108,13 @@ impl Custom {
     fn matches(&self, suffix: &str, dimensions: Dimensions, result: &str) -> Result<(), Error> {
         let (name, p) = (format!("{}{suffix}", self.function), dimensions.position_type());
         let needed = format!("fn {name}(position: {p}, across: {p}, along: {p}) -> {result}");
+        // What stands behind each colon, and behind the arrow.
         let types = |signature: &str| -> Vec<String> {
             let short = signature.replace("<f32>", "f");
-            let words = short.split([':', ',', '(', ')']).map(str::trim);
-            words.filter(|word| word.starts_with("vec") || word.starts_with("->")).map(str::to_owned).collect()
+            let ends = [',', ')', '{'];
+            let word = |text: &str| text.split(ends).next().unwrap_or_default().trim().to_owned();
+            let result = short.split("->").skip(1).map(|text| format!("-> {}", word(text)));
+            short.split(':').skip(1).map(word).chain(result).collect()
         };
         match self.signature(suffix) {
             Some(signature) if types(&signature) == types(&needed) => Ok(()),

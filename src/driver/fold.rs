@@ -2,7 +2,9 @@
 
 use super::taps::Taps;
 
-/// What becomes of every octave of a noise before they are summed.
+/// What becomes of every octave of a noise before they are summed, in the plane and by [`NoiseMethod::Gradient`].
+///
+/// [`NoiseMethod::Gradient`]: crate::NoiseMethod::Gradient
 ///
 /// Root mean square errors of the color, in thousandths, for six octaves of Perlin's noise on a plane to the horizon,
 /// under a terrain map and hard steps: with values taken for normal, by one to eight taps; for Beta distributions from
@@ -15,7 +17,7 @@ use super::taps::Taps;
 /// | ridged, terrain | 55.8 | 41.8 | 27.0 | 18.2 | 54.7 | 177.3 |
 /// | ridged, steps6 | 58.0 | 44.8 | 30.6 | 22.0 | 56.8 | 228.1 |
 ///
-/// What a point tells of its footprint limits the error, not the distribution: a table of
+/// What limits the error is how little one point tells of its footprint, not the distribution: a table of
 /// [`Distribution::Beta`](crate::Distribution::Beta) wins little, a second tap much.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]

@@ -15,8 +15,8 @@ use crate::Error;
 /// ```
 /// use prefilter::{ColorMap, Driver, Gabor, Scene, Spectrum};
 /// let map = ColorMap::gradient([(0.2, [0.3, 0.2, 0.1]), (0.8, [0.8, 0.7, 0.5])])?;
-/// let wood = Gabor { spectrum: Spectrum::Isotropic { frequency: 3.0 }, bandwidth: 2.0, ..Gabor::default() };
-/// let module = Scene::new("granite").texture(map).driver(Driver::Gabor(wood)).module()?;
+/// let grains = Gabor { spectrum: Spectrum::Isotropic { frequency: 3.0 }, bandwidth: 2.0, ..Gabor::default() };
+/// let module = Scene::new("granite").texture(map).driver(Driver::Gabor(grains)).module()?;
 /// let color = module.exports().iter().find(|export| export.name == "granite_color");
 /// let signature = "fn granite_color(position: vec3f, dpdx: vec3f, dpdy: vec3f) -> vec3f";
 /// assert!(color.is_some_and(|color| color.signature == signature));

@@ -1,4 +1,4 @@
-//! What a footprint knows of the function that drives a material: its mean and deviation there, or those of its slopes.
+//! What a driver knows of a function over a footprint: its mean and deviation there, or those of its slopes.
 
 pub mod cosines;
 pub mod custom;
@@ -47,7 +47,7 @@ pub enum Driver {
     Indicators(Indicators),
     /// Mean and covariance of the slopes of a map of normals or heights: for slopes, steepness and irradiance.
     SlopeMoments(SlopeMoments),
-    /// Octaves of noise: for values and heights.
+    /// Octaves of noise, in the plane or in space: for values and heights.
     Noise(Noise),
     /// One of two values, by stripes, a checker or a grid: for values and heights.
     Pattern(Pattern),
@@ -112,7 +112,20 @@ impl Driver {
 
     /// Whether it knows skewness and excess kurtosis of values.
     pub(crate) fn knows_shape(&self) -> bool {
-        matches!(self, Self::Moments(_)) || self.function(false).is_some()
+        match self {
+            Self::Moments(_) | Self::Pattern(_) | Self::Custom(_) => true,
+            Self::Warp(warp) => warp.driver.knows_shape(),
+            Self::SlopeMoments(_) | Self::Indicators(_) | Self::Noise(_) | Self::Gabor(_) | Self::Cosines(_) => false,
+        }
+    }
+
+    /// The pattern of two values that it has, displaced or not.
+    pub(crate) fn pattern(&self) -> Option<&Pattern> {
+        match self {
+            Self::Pattern(pattern) => Some(pattern),
+            Self::Warp(warp) => warp.driver.pattern(),
+            _ => None,
+        }
     }
 
     /// What it says of a footprint where it is a function of the position, with its slopes or without.

@@ -32,20 +32,20 @@ pub struct Noise {
     pub fold: NoiseFold,
     /// How many octaves, 1 to 16.
     pub octaves: u32,
-    /// Of an octave's amplitude over that of the one before, above 0 and up to 1.
+    /// An octave's amplitude over that of the one before, above 0 and up to 1.
     pub gain: f32,
-    /// Of an octave's frequency over that of the one before, 1 to 16.
+    /// An octave's frequency over that of the one before, 1 to 16.
     pub lacunarity: f32,
-    /// How far each octave is turned against the one before, −6.3 to 6.3 radians.
+    /// How far each octave is turned against the one before, −6.3 to 6.3 radians; in space about a cell's diagonal.
     pub rotation: f32,
     /// Seeds have noise of their own.
     pub seed: u32,
-    /// After how many cells of the first octave it repeats along both axes, up to 2²⁴ of the last octave's; 0 is never.
-    /// Tiles need a square lattice, a whole lacunarity and no rotation.
+    /// After how many cells of the first octave it repeats along every axis, up to 2²⁴ of the last octave's; 0 is
+    /// never. Tiles need a square or cubic lattice, a whole lacunarity and no rotation.
     pub period: u32,
-    /// Its mean over the plane, −1e6 to 1e6.
+    /// Its mean over all places, −1e6 to 1e6.
     pub mean: f32,
-    /// Its deviation over the plane, 0 to 1e6.
+    /// Its deviation over all places, 0 to 1e6.
     pub deviation: f32,
     /// How mean and variance are told from one evaluation.
     pub method: NoiseMethod,
@@ -212,9 +212,9 @@ impl Noise {
         let [terrain, steps] = if self.method == NoiseMethod::Stationary { [0.070, 0.089] } else { found };
         let taps = if self.method == NoiseMethod::Stationary { " by one tap" } else { "" };
         format!(
-            "how far a point of the noise tells what a footprint holds{taps}. The largest error of a channel\n    \
-             has an RMS of {terrain:.3} on a plane to the horizon under a terrain map and {steps:.3}\n    \
-             under hard steps; the naive map has {:.3} and {:.3}",
+            "how far a point of the noise tells what a footprint holds{taps}. Of six octaves of Perlin's noise\n    \
+             on a plane to the horizon the largest error of a channel has an RMS of {terrain:.3} under a\n    \
+             terrain map and {steps:.3} under hard steps; the naive map has {:.3} and {:.3}",
             naive[0], naive[1]
         )
     }

@@ -41,7 +41,7 @@ impl Noise {
             "    // Deviations of the footprint in cells of an octave.
     var deviations = fractal_deviations(across, along);
     var sum = fractal_sum(0.0, 0.0, vec2f());
-    var at = position;
+    var at = clamp(position, vec2f(-1e9), vec2f(1e9));
     var amplitude = 1.0;
 {before}    var octave = 0u;
     for (; octave < {octaves}u; octave++) {{

@@ -27,8 +27,9 @@ pub enum Motif {
 
 /// A driver that has one of two values: stripes, the squares of a checker, or the lines of a grid, in the plane.
 ///
-/// Of a footprint it knows the share that has the second value, and with that all moments. A color map of values is
-/// mixed from its colors at the two, which is exact for any map: one tap is enough.
+/// Of a footprint it knows the share that has the second value, and with that all moments. The color map of a
+/// [`texture`](crate::Scene::texture), alone or as a layer, is mixed from its colors at the two, which is exact for any
+/// map: one tap is enough. As heights, values count as normal.
 ///
 /// Shares over Gaussian footprints at any rotation, aspects up to 16 and minor deviations from 0.02 to 2 periods, root
 /// mean square and largest error against the integral (`spirv-tests/tests/pattern/shares.rs` measures them again):
@@ -41,8 +42,7 @@ pub enum Motif {
 /// Stripes are exact to 2e-6, so that thin lines far away are the share that they cover.
 ///
 /// ```
-/// use prefilter::driver::pattern::Motif;
-/// use prefilter::{ColorMap, Driver, Pattern, Scene};
+/// use prefilter::{ColorMap, Driver, Motif, Pattern, Scene};
 /// let tiles = ColorMap::gradient([(0.0, [0.1, 0.1, 0.1]), (1.0, [0.8, 0.75, 0.7])])?;
 /// let grid = Pattern { motif: Motif::Grid { widths: [0.05, 0.1] }, values: [1.0, 0.0], ..Pattern::default() };
 /// let module = Scene::new("tiles").texture(tiles).driver(Driver::Pattern(grid)).module()?;
@@ -137,16 +137,10 @@ impl Pattern {
             return function.glue(called);
         }
         let Called { name, color_type, given, parameters, .. } = *called;
-        let [beside, on] = self.values;
-        let color = |value: f32| called.call(&format!("{value:?}, 0.0"));
-        let share = match self.values {
-            [0.0, 1.0] => "let share = m.x;".to_owned(),
-            _ => format!("let share = clamp((m.x - {beside:?}) / {:?}, 0.0, 1.0);", on - beside),
-        };
         let pixel = Evaluation {
             reads: &[("m".to_owned(), format!("{name}_{}", function.suffix()))],
-            named: &[share],
-            color: &format!("mix({}, {}, share)", color(beside), color(on)),
+            named: &[],
+            color: &self.mixed("m.x", |statistics| called.call(statistics)),
             weight: None,
             color_type,
             dimensions: function.dimensions,
@@ -155,6 +149,17 @@ impl Pattern {
         };
         let export = pixel.export(name, &function.what, &format!("{given}{parameters}"));
         format!("{}\n{export}", function.statistics(name))
+    }
+
+    /// The mean color where the values have this mean: that of each of both by its share; `call` filters a value.
+    pub(crate) fn mixed(&self, mean: &str, call: impl Fn(&str) -> String) -> String {
+        let [beside, on] = self.values;
+        let share = match self.values {
+            [0.0, 1.0] => mean.to_owned(),
+            _ => format!("clamp(({mean} - {beside:?}) / {:?}, 0.0, 1.0)", on - beside),
+        };
+        let [beside, on] = self.values.map(|value| call(&format!("{value:?}, 0.0")));
+        format!("mix({beside}, {on}, {share})")
     }
 
     /// What a bound does not cover: the figures of the documentation, which a test of `spirv-tests` measures.

@@ -37,7 +37,7 @@ pub(super) fn body(of: &Noise, solid: &Solid, [mean, scale]: [f32; 2], variance:
         "    // Deviations of the footprint in cells of an octave.
     var deviations = footprint_deviations(vec3f(dot(across, across), dot(across, along), dot(along, along)));
     var sum = fractal_sum(0.0, 0.0, vec2f());
-    var at = position;
+    var at = clamp(position, vec3f(-1e9), vec3f(1e9));
     var right = across;
     var down = along;
     var amplitude = 1.0;

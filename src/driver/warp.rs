@@ -1,6 +1,7 @@
 //! Drivers whose positions a noise displaces.
 
 use super::function::{Dimensions, Function};
+use super::noise::Noise;
 use super::{Called, Driver};
 use crate::Error;
 
@@ -10,13 +11,14 @@ use crate::Error;
 /// stretches and squeezes it, and by the variance of those that it has lost, which widens it. Both components of g are
 /// Perlin's noise of a gain of ½ and a lacunarity of 2.
 ///
-/// What a footprint is displaced to is taken for normal, and to have one turn and size. Root mean square errors of the
+/// What a footprint is displaced to is taken for normal, and to have one turn and size. Slopes are not known of it,
+/// even of displaced [`Cosines`](crate::Cosines). Root mean square errors of the
 /// largest channel on a plane to the horizon, in thousandths, by `spirv-tests/tests/noise/warp.rs`:
 ///
 /// | warped, map | point | footprint as it was | carried | 4 taps | 8 taps |
 /// |---|---|---|---|---|---|
-/// | four octaves of noise, terrain | 165 | 75 | 64 | 33 | 21 |
-/// | stripes, terrain | 108 | 42 | 24 | 12 | 8 |
+/// | four octaves of noise, terrain | 171 | 74 | 62 | 32 | 22 |
+/// | stripes, terrain | 108 | 45 | 24 | 13 | 8 |
 ///
 /// ```
 /// use prefilter::{ColorMap, Driver, Noise, Scene, Warp};
@@ -60,6 +62,9 @@ impl Warp {
             Some(Dimensions::Solid) => return refused("are not displaced: warp a function of the plane"),
             Some(Dimensions::Plane) => {}
         }
+        if let Driver::Noise(Noise { period: 1.., .. }) = *self.driver {
+            return refused("do not repeat where they are displaced: give the noise a `period` of 0");
+        }
         if !(1..=16).contains(&self.octaves) {
             let (what, count) = ("the warp's number of octaves".into(), self.octaves as usize);
             return Err(Error::Size { what, count, allowed: "1 to 16".into() });
@@ -79,8 +84,9 @@ impl Warp {
         let inner = self.driver.function(false)?;
         let trips = inner.trips.max(self.octaves as usize);
         let gap = format!(
-            "how far displaced footprints are from normal ones of one turn and size, and of the driver that is\n    \
-             displaced {}",
+            "how far displaced footprints are from normal ones of one turn and size. Stripes of the width 0.3,\n    \
+             displaced by 0.4, have an RMS of 0.024 by one tap, where a point has 0.108. Of the driver itself\n    \
+             {}",
             inner.gap
         );
         let what = format!("{}, displaced by noise", inner.what);
@@ -89,10 +95,18 @@ impl Warp {
 
     /// That function, and `NAME_color`, which calls a filter with the statistics.
     pub(crate) fn glue(&self, called: &Called<'_>) -> String {
-        match (self.function(), &*self.driver) {
+        match (self.function(), self.driver.pattern()) {
             (None, _) => String::new(),
-            (Some(function), Driver::Pattern(pattern)) => pattern.glue(called, &function),
-            (Some(function), _) => function.glue(called),
+            (Some(function), Some(pattern)) => pattern.glue(called, &function),
+            (Some(function), None) => function.glue(called),
+        }
+    }
+
+    /// How many warps are within.
+    fn depth(&self) -> u32 {
+        match &*self.driver {
+            Driver::Warp(within) => 1 + within.depth(),
+            _ => 0,
         }
     }
 
@@ -100,38 +114,42 @@ impl Warp {
         let power: f64 = (0..self.octaves).map(|octave| 0.25f64.powi(octave as i32)).sum();
         // Of octaves, in cells: the size cancels in derivatives.
         let scale = (f64::from(self.deviation) / (power * VARIANCE).sqrt()) as f32;
-        let (octaves, seed) = (self.octaves, self.seed.wrapping_mul(0x9e37_79b1));
-        let (size, other) = (self.size, seed ^ 0x55_5555);
+        // Seeds of neither component, nor of a warp within, are those of a noise.
+        let own = self.seed.wrapping_mul(0x9e37_79b1).wrapping_add(self.depth().wrapping_mul(0xc2b2_ae35));
+        let (octaves, size, seed, other) = (self.octaves, self.size, own ^ 0x27d4_eb2f, own ^ 0x1656_67b1);
         let variance = VARIANCE as f32;
         let inner = inner.replace('\n', "\n    ");
         format!(
             "    // What displaces positions, by its two components, in cells of an octave.
-    var cell_across = across / {size:?};
-    var cell_along = along / {size:?};
-    var cell = position / {size:?};
-    let products = vec3f(dot(cell_across, cell_across), dot(cell_across, cell_along), dot(cell_along, cell_along));
-    var cell_deviations = footprint_deviations(products);
-    var x = fractal_sum(0.0, 0.0, vec2f());
-    var y = x;
-    var share = {scale:?};
+    var warp_across = across / {size:?};
+    var warp_along = along / {size:?};
+    var warp_at = clamp(position / {size:?}, vec2f(-1e9), vec2f(1e9));
+    let warp_squares = vec2f(dot(warp_across, warp_across), dot(warp_along, warp_along));
+    var warp_deviations =
+        footprint_deviations(vec3f(warp_squares.x, dot(warp_across, warp_along), warp_squares.y));
+    var warp_x = fractal_sum(0.0, 0.0, vec2f());
+    var warp_y = warp_x;
+    var warp_share = {scale:?};
     for (var octave = 0u; octave < {octaves}u; octave++) {{
-        let weights = perlin_filter(cell_deviations);
-        let n = perlin_noise(cell, vec2f(), {seed}u + octave);
-        let m = perlin_noise(cell, vec2f(), {other}u + octave);
-        x = fractal_add(x, share, weights, n.x, vec2f(dot(cell_across, n.yz), dot(cell_along, n.yz)));
-        y = fractal_add(y, share, weights, m.x, vec2f(dot(cell_across, m.yz), dot(cell_along, m.yz)));
-        share *= 0.5;
-        cell_deviations *= 2.0;
-        cell = 2.0 * cell + vec2f(0.618033989, 0.414213562); // no lattice point on one of the octave before
-        cell_across *= 2.0;
-        cell_along *= 2.0;
+        let weights = perlin_filter(warp_deviations);
+        let n = perlin_noise(warp_at, vec2f(), {seed}u + octave);
+        let m = perlin_noise(warp_at, vec2f(), {other}u + octave);
+        let slope_x = vec2f(dot(warp_across, n.yz), dot(warp_along, n.yz));
+        let slope_y = vec2f(dot(warp_across, m.yz), dot(warp_along, m.yz));
+        warp_x = fractal_add(warp_x, warp_share, weights, n.x, slope_x);
+        warp_y = fractal_add(warp_y, warp_share, weights, m.x, slope_y);
+        warp_share *= 0.5;
+        warp_deviations *= 2.0;
+        warp_at = 2.0 * warp_at + vec2f(0.618033989, 0.414213562); // no lattice point on one of the octave before
+        warp_across *= 2.0;
+        warp_along *= 2.0;
     }}
-    let displaced = warp_vectors(across, along, x.slope, y.slope, {variance:?} * x.rest);
-    let displaced_position = position + vec2f(x.mean, y.mean);
+    let warp_footprint = warp_vectors(across, along, warp_x.slope, warp_y.slope, {variance:?} * warp_x.rest);
+    let warp_position = position + vec2f(warp_x.mean, warp_y.mean);
     {{
-        let position = displaced_position;
-        let across = displaced.xy;
-        let along = displaced.zw;
+        let position = warp_position;
+        let across = warp_footprint.xy;
+        let along = warp_footprint.zw;
     {}    }}
 ",
             inner.strip_suffix("    ").unwrap_or(&inner)

@@ -120,8 +120,8 @@ impl MomentPass {
     }
 
     /// The passes as one shader, for hosts that run them in another way: compute entry points `points`, `texels`,
-    /// `columns`, `rows` and `copies` of 8 × 8 texels, whose bindings are a texture that is read and one that is stored
-    /// to.
+    /// `columns`, `rows` and `copies` of 8 × 8 texels, whose bindings of group 0 are a texture that is read, 0, and one
+    /// that is stored to: 1 of `points` and `copies`, 2 of the others.
     ///
     /// WebGL2 has no such shaders: render passes there may call `moment_pyramid_texel` and `moment_pyramid_part` of the
     /// shelf.

@@ -33,8 +33,15 @@ const NODES: [&str; 2] = ["lit", "radiance"];
 /// The shelf's loops over the two sides of a mean slope.
 const SIDES: [&str; 3] = ["rice_five", "slope_map_five", "slope_map_nine"];
 
-/// The shelf's loops over the waves and the corners of patterns; footprints narrower than 0.03 periods take more waves.
-const CROSSINGS: [(&str, usize); 3] = [("crossing_waves", 16), ("crossing_corners", 4), ("pulse_waves", 4)];
+/// The shelf's loops over the waves and the corners of patterns, footprints narrower than 0.03 periods take more waves,
+/// and over the edges of a cell in space.
+const FIXED: [(&str, usize); 5] = [
+    ("crossing_waves", 16),
+    ("crossing_corners", 4),
+    ("pulse_waves", 4),
+    ("perlin_solid_noise", 4),
+    ("value_solid_noise", 4),
+];
 
 /// Where a scene of heights or of one table asks for no accuracy and no tier keeps the default, how many times the
 /// closest one's bound is near enough.
@@ -181,7 +188,7 @@ impl Scene {
     ) -> Cost {
         let mut trips = BTreeMap::from(LOOPS.map(|name| (name.to_owned(), trips)));
         trips.extend(SIDES.map(|name| (name.to_owned(), 2)));
-        trips.extend(CROSSINGS.map(|(name, turns)| (name.to_owned(), turns)));
+        trips.extend(FIXED.map(|(name, turns)| (name.to_owned(), turns)));
         trips.extend(NODES.map(|export| (format!("{}_{export}", self.name), combine::NODES)));
         trips.extend(driven);
         let (module, info) = linked.parsed();

@@ -87,7 +87,7 @@ impl Scene {
     /// The functions of the drivers and `NAME_color`, which calls the export that shows the most.
     ///
     /// # Errors
-    /// A weight whose name the export has for something else.
+    /// A driver none of whose statistics the export takes, a weight whose name it has for something else.
     pub(super) fn driven_together(
         &self,
         drivers: &[Driven<'_>],
@@ -100,6 +100,12 @@ impl Scene {
         let (Some(called), Some(Driven { function, .. })) = (called, drivers.first()) else {
             return Ok(String::new());
         };
+        let taken = |driven: &Driven<'_>| called.parameters().iter().any(|(name, _)| driven.gives(name).is_some());
+        if let Some(driven) = drivers.iter().find(|driven| !taken(driven)) {
+            let gives = driven.driver.gives();
+            let what = format!("the combination `{}` takes nothing of a driver that gives {gives}", self.name);
+            return Err(Error::Conflict(what));
+        }
         let given = |parameter: &str| drivers.iter().find_map(|driven| driven.gives(parameter));
         let argument = |(name, _): (&str, &str)| given(name).unwrap_or(name.to_owned());
         let arguments: Vec<String> = called.parameters().into_iter().map(argument).collect();
@@ -138,7 +144,9 @@ impl Scene {
         let of = |driven: &Driven<'_>| {
             let Function { taps, trips, .. } = driven.function;
             let statistics = format!("{}_{}", driven.prefix(&self.name), driven.function.suffix());
-            [(format!("{}_color", self.name), taps.count() as usize), (statistics, trips)]
+            let shelf = driven.driver.shelf_trips().into_iter().map(|(name, turns)| (name.to_owned(), turns));
+            let own = [(format!("{}_color", self.name), taps.count() as usize), (statistics, trips)];
+            own.into_iter().chain(shelf)
         };
         drivers.iter().flat_map(of).collect()
     }

@@ -3,6 +3,7 @@
 use super::candidate::{arguments, parameters, Candidate, Over};
 use super::combination::hull;
 use super::Scene;
+use crate::driver::Driver;
 use crate::filter::distribution::Distribution;
 use crate::filter::height::{surface, HeightTier, Microsurface};
 use crate::filter::shared::Shared;
@@ -212,8 +213,12 @@ fn {function}_alike({list}{tables}) -> {color_type} {{\n{body}}}\n",
         let (name, function) = (&self.scene.name, &self.function);
         let own = self.own_parameters().into_iter().map(|(name, _)| name);
         let names = given(self.body(), shared).into_iter().map(|(name, _)| name.to_owned());
-        let list: Vec<String> = own.chain(names).collect();
-        format!("    let {name}_color = {function}({}{});\n", list.join(", "), arguments(&self.tables))
+        let call = |list: &str| format!("{function}({list}{})", arguments(&self.tables));
+        let color = match self.scene.driver.as_ref().and_then(Driver::pattern) {
+            Some(pattern) => pattern.mixed(&format!("{name}_mean"), call),
+            None => call(&own.chain(names).collect::<Vec<String>>().join(", ")),
+        };
+        format!("    let {name}_color = {color};\n")
     }
 
     /// The statement that names the color of a node of the visible slopes, inside a loop.

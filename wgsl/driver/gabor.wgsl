@@ -109,7 +109,7 @@ fn gabor_noise(
     let corner = floor(p - 0.5) - 1.0;
     var sum = vec4f();
     for (var index = 0u; index < 64u; index++) {
-        let offset = vec3u(index & 3u, index >> 2u & 3u, index >> 4u);
+        let offset = vec3u(index & 3u, (index >> 2u) & 3u, index >> 4u);
         let apart = p - corner - vec3f(offset);
         let outside = max(max(apart - 1.0, -apart), vec3f());
         if dot(outside, outside) < footprint.farthest {

@@ -15,7 +15,7 @@ fn gabor_kernel_words(corner: vec3i, offset: vec3u, seed: u32) -> vec3u {
 /// Domain: word integer in [0, 4294967295].
 /// Error: exact.
 fn gabor_kernel_place(word: u32) -> vec3f {
-    let parts = vec3f(vec3u(word >> 21u, word >> 10u & 2047u, word & 1023u));
+    let parts = vec3f(vec3u(word >> 21u, (word >> 10u) & 2047u, word & 1023u));
     return (parts + 0.5) * vec3f(4.8828125e-4, 4.8828125e-4, 9.765625e-4);
 }
 

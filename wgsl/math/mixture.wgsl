@@ -29,7 +29,7 @@ fn mixture_pair(skewness: f32, kurtosis: f32) -> mixture {
     let square = a * a;
     let cube_root = exp2(log2(max(0.5 * square, 1e-30)) * (1.0 / 3.0)); // the root where the kurtosis is 0
     let t = cube_root * cube_root;
-    var u = select(0.5 * square * inverseSqrt(t * t + 0.25 * b * b), sqrt(t - 0.5 * b), b < 0.0);
+    var u = select(0.5 * square * inverseSqrt(max(t * t + 0.25 * b * b, 1e-30)), sqrt(t - 0.5 * b), b < 0.0);
     u = (4.0 * u * u * u + square) / max(6.0 * u * u + b, 1e-30);
     u = (4.0 * u * u * u + square) / max(6.0 * u * u + b, 1e-30);
     u = (4.0 * u * u * u + square) / max(6.0 * u * u + b, 1e-30);

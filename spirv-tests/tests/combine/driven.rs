@@ -1,7 +1,10 @@
 //! Combinations whose statistics come from functions of the position.
 
+use prefilter::driver::pattern::Motif;
 use prefilter::gpu::Device;
-use prefilter::{ColorMap, Combination, Custom, Driver, Error, Microsurface, Reflectance, Scene, SlopeTier, Taps};
+use prefilter::{
+    ColorMap, Combination, Custom, Driver, Error, Microsurface, Pattern, Reflectance, Scene, SlopeTier, Taps, Warp,
+};
 use spirv_tests::random::Random;
 
 use crate::{run, Outcome};
@@ -117,6 +120,29 @@ fn taps_average_the_whole_color() -> Outcome {
     Ok(())
 }
 
+/// Colors of a pattern's layer are mixed from those of its two values, as those of its scene alone, displaced or not.
+#[test]
+fn layers_of_patterns_have_two_colors() -> Outcome {
+    let device = Device::new()?;
+    let map = ColorMap::gradient([(0.2, [0.1, 0.9, 0.4]), (0.5, [0.9, 0.1, 0.2]), (0.8, [0.3, 0.4, 1.0])])?;
+    let stripes = Pattern { motif: Motif::Stripes { duty: 0.3 }, values: [0.25, 0.7], ..Pattern::default() };
+    let stripes = Driver::Pattern(stripes);
+    for driver in [stripes.clone(), Driver::Warp(Warp::of(stripes))] {
+        let scene = Scene::new("tiles").texture(map.clone()).driver(driver);
+        let alone = scene.module()?;
+        let layered = Scene::new("room").combination(0.5 * &scene).module()?;
+        let mut random = Random::new(4);
+        let places: Vec<Vec<f64>> = (0..500).map(|_| (0..6).map(|_| 2.0 * random.unit() - 1.0).collect()).collect();
+        let number = |place: usize, name: &str| said(&places[place], name).unwrap_or_default();
+        let alone = run(&device, &alone, "tiles_color", places.len(), number)?;
+        let layered = run(&device, &layered, "room_color", places.len(), number)?;
+        for (alone, layered) in alone.iter().zip(&layered) {
+            assert!((0..3).all(|at| (0.5 * alone[at] - layered[at]).abs() < 2e-6), "{alone:?} {layered:?}");
+        }
+    }
+    Ok(())
+}
+
 #[test]
 fn drivers_that_do_not_go_together_are_refused() -> Outcome {
     let refused = |scene: Scene, part: &str| {
@@ -127,6 +153,8 @@ fn drivers_that_do_not_go_together_are_refused() -> Outcome {
     let scene = |combination: Combination| Scene::new("hills").combination(combination);
     refused(scene(grain(Taps::Two)? * &sand()?).driver(ground()), "differs in dimensions, taps or pixel");
     refused(scene(grain(Taps::One)? * 0.5).driver(ground()), "which no layer takes");
+    let flat = driver("grains", Taps::One); // knows no slopes
+    refused(scene(sand()? * 0.5).driver(flat), "takes nothing of a driver that gives values and heights without");
     refused(scene(sand()?.driver(ground()) * 0.5), "which all layers share: give it to `hills`");
     refused(scene(grain(Taps::One)? * Combination::weight("across")?), "the weight `across` of `hills` has a name");
     Ok(())

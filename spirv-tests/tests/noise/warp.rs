@@ -36,7 +36,8 @@ fn definition(driver: &Driver, seed: u32) -> String {
 }"
         .to_owned(),
     };
-    let seed = seed.wrapping_mul(0x9e37_79b1);
+    let base = seed.wrapping_mul(0x9e37_79b1);
+    let (first, second) = (base ^ 0x27d4_eb2f, base ^ 0x1656_67b1);
     let scale = 0.4 / ((1.0 + 0.25 + 0.0625) * 181.0 / 231.0 * 535.0 / 9009.0f64).sqrt();
     format!(
         "{own}
@@ -45,8 +46,8 @@ fn truth_noise(position: vec2f) -> f32 {{
     var at = position / 2.0;
     for (var octave = 0u; octave < 3u; octave++) {{
         let n = vec2f(
-            perlin_noise(at, vec2f(), {seed}u + octave).x,
-            perlin_noise(at, vec2f(), ({seed}u ^ 0x555555u) + octave).x,
+            perlin_noise(at, vec2f(), {first}u + octave).x,
+            perlin_noise(at, vec2f(), {second}u + octave).x,
         );
         sum += {scale:?} / f32(1u << octave) * n;
         at = 2.0 * at + vec2f(0.618033989, 0.414213562);
@@ -151,6 +152,7 @@ fn what_cannot_be_displaced_is_refused() -> Outcome {
         (Warp { size: 0.0, ..whole.clone() }, "the warp's size"),
         (Warp { deviation: f32::NAN, ..whole.clone() }, "the warp's deviation"),
         (Warp { octaves: 17, ..whole.clone() }, "the warp's number of octaves"),
+        (Warp::of(Driver::Noise(Noise { period: 4, rotation: 0.0, ..Noise::default() })), "a `period` of 0"),
         (Warp::of(noise(1, Taps::One)), ""),
         (Warp::of(Driver::Warp(whole)), ""),
     ];
