@@ -59,12 +59,12 @@ impl NoiseFold {
 
 /// The statements that add an octave `n` whose derivatives along the footprint's vectors are `slope`: of all of it, and
 /// of one of which nothing is left.
-pub(super) fn added(slope: &str, variance: &str, share: f64) -> [String; 2] {
-    let [mean, rest] = [share * variance.parse::<f64>().unwrap_or(1.0).sqrt(), 1.0 - share * share];
+pub(super) fn added(slope: &str, variance: f64, share: f64) -> [String; 2] {
+    let [mean, rest] = [share * variance.sqrt(), 1.0 - share * share];
     [
         format!(
             "let slope = {slope};
-            let folded = fold_octave(weights, n.x, slope, {variance}, {share:?});
+            let folded = fold_octave(weights, n.x, slope, {variance:?}, {share:?});
             sum = fractal_add(sum, amplitude, folded, 1.0, slope);"
         ),
         format!(

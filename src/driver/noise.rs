@@ -87,7 +87,7 @@ pub enum NoiseMethod {
 /// Names of the shelf's functions, and the variance of the noise.
 pub(super) struct Shelf {
     pub name: &'static str,
-    pub variance: &'static str,
+    pub variance: f64,
     /// Its mean of |n| over the plane, over its deviation; a test measures it.
     pub folded: f64,
     pub periodic: bool,
@@ -116,11 +116,11 @@ impl Default for Noise {
 impl NoiseBasis {
     pub(super) fn shelf(self) -> Shelf {
         let (name, variance, folded, periodic) = match self {
-            Self::Perlin => ("perlin", "0.0465311504", 0.8166, true),
-            Self::Value => ("value", "0.204650088", 0.837, true),
-            Self::Simplex => ("simplex", "0.144655223", 0.8667, false),
-            Self::PerlinSolid => ("perlin_solid", "0.0729189457", 0.0, true),
-            Self::ValueSolid => ("value_solid", "0.160353532", 0.0, true),
+            Self::Perlin => ("perlin", 0.0465311504, 0.8166, true),
+            Self::Value => ("value", 0.204650088, 0.837, true),
+            Self::Simplex => ("simplex", 0.144655223, 0.8667, false),
+            Self::PerlinSolid => ("perlin_solid", 0.0729189457, 0.0, true),
+            Self::ValueSolid => ("value_solid", 0.160353532, 0.0, true),
         };
         Shelf { name, variance, folded, periodic }
     }
@@ -225,7 +225,6 @@ impl Noise {
             (0..self.octaves).map(|octave| f64::from(self.gain).powi(power * octave as i32)).sum()
         };
         let Shelf { variance, folded, .. } = self.basis.shelf();
-        let variance = variance.parse::<f64>().unwrap_or(1.0);
         let deviation = f64::from(self.deviation) / (sum(2) * variance).sqrt();
         let [start, scale] = match self.fold.sign() {
             None => [0.0, deviation],

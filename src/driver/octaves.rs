@@ -4,14 +4,19 @@ use super::fold::{added, NoiseFold};
 use super::noise::{Noise, NoiseMethod, Shelf};
 
 /// Where an octave has the origin of the one before, 1/φ and √2 − 1: no lattice point of one is near one of another.
-const OFFSET: &str = "vec2f(0.618033989, 0.414213562)";
+pub(super) const OFFSET: &str = "vec2f(0.618033989, 0.414213562)";
+
+/// A word of a seed, to which octaves are added: of neighboring seeds they are far apart.
+pub(super) fn apart(seed: u32) -> u32 {
+    seed.wrapping_mul(0x9e37_79b1)
+}
 
 impl Noise {
     /// The loop over octaves.
     pub(super) fn body(&self) -> String {
         let Shelf { name, variance, folded, periodic } = self.basis.shelf();
         let Self { octaves, gain, lacunarity, .. } = *self;
-        let ([mean, scale], seed) = (self.placed(), self.seed.wrapping_mul(0x9e37_79b1));
+        let ([mean, scale], seed) = (self.placed(), apart(self.seed));
         let tile = if periodic { format!(", vec2f({:?})", self.period as f32) } else { String::new() };
         let tile = if self.period > 0 { ", tile".to_owned() } else { tile };
         let (mut before, mut after) = (String::new(), String::new());
@@ -50,7 +55,7 @@ impl Noise {
         deviations *= {lacunarity:?};
         at = {step} * at + {OFFSET};
 {after}    }}
-{behind}    return fractal_statistics(sum, {mean:?}, {scale:?}, {variance});
+{behind}    return fractal_statistics(sum, {mean:?}, {scale:?}, {variance:?});
 "
         )
     }
@@ -104,7 +109,7 @@ impl Noise {
 }
 
 /// The statements that add a folded octave, or what it has where nothing is left of it.
-fn folded_octave(noise: &str, variance: &str, folded: f64) -> String {
+fn folded_octave(noise: &str, variance: f64, folded: f64) -> String {
     let [octave, lost] = added("vec2f(dot(right, n.yz), dot(down, n.yz))", variance, folded);
     format!(
         "        if weights.x > {CUT:?} {{
@@ -118,4 +123,4 @@ fn folded_octave(noise: &str, variance: &str, folded: f64) -> String {
 }
 
 /// The multiplier below which an octave is not evaluated: it would change the sum by a hundredth of its deviation.
-const CUT: f32 = 0.01;
+pub(super) const CUT: f32 = 0.01;

@@ -1,6 +1,7 @@
 //! The octaves of noise in space, which surfaces cut.
 
 use super::noise::{Noise, NoiseMethod};
+use super::octaves::{apart, CUT};
 
 /// The shelf's names of a noise in space: of the noise, and of its filter.
 pub(super) struct Solid {
@@ -12,10 +13,10 @@ pub(super) struct Solid {
 const OFFSET: &str = "vec3f(0.618033989, 0.414213562, 0.732050808)";
 
 /// The loop over octaves, which returns statistics of the given mean and scale; `variance` is that of an octave.
-pub(super) fn body(of: &Noise, solid: &Solid, [mean, scale]: [f32; 2], variance: &str) -> String {
+pub(super) fn body(of: &Noise, solid: &Solid, [mean, scale]: [f32; 2], variance: f64) -> String {
     let Noise { octaves, gain, lacunarity, .. } = of;
     let Solid { noise, filter } = solid;
-    let seed = of.seed.wrapping_mul(0x9e37_79b1);
+    let seed = apart(of.seed);
     let mut before = String::new();
     let mut after = String::new();
     let mut tile = "vec3f()".to_owned();
@@ -55,7 +56,7 @@ pub(super) fn body(of: &Noise, solid: &Solid, [mean, scale]: [f32; 2], variance:
         right = {step} * right;
         down = {step} * down;
 {after}    }}
-    return fractal_statistics(sum, {mean:?}, {scale:?}, {variance});
+    return fractal_statistics(sum, {mean:?}, {scale:?}, {variance:?});
 "
     )
 }
@@ -73,6 +74,3 @@ fn turned(of: &Noise) -> String {
     let numbers: Vec<String> = columns.into_iter().flatten().map(number).collect();
     format!("mat3x3f({})", numbers.join(", "))
 }
-
-/// The multiplier below which an octave is not evaluated: it would change the sum by a hundredth of its deviation.
-const CUT: f32 = 0.01;

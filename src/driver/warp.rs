@@ -1,7 +1,8 @@
 //! Drivers whose positions a noise displaces.
 
 use super::function::{Dimensions, Function};
-use super::noise::Noise;
+use super::noise::{Noise, NoiseBasis, Shelf};
+use super::octaves::{apart, OFFSET};
 use super::{Called, Driver};
 use crate::Error;
 
@@ -112,21 +113,19 @@ impl Warp {
 
     fn body(&self, inner: &str) -> String {
         let power: f64 = (0..self.octaves).map(|octave| 0.25f64.powi(octave as i32)).sum();
+        let Shelf { variance, .. } = NoiseBasis::Perlin.shelf();
         // Of octaves, in cells: the size cancels in derivatives.
-        let scale = (f64::from(self.deviation) / (power * VARIANCE).sqrt()) as f32;
+        let scale = (f64::from(self.deviation) / (power * variance).sqrt()) as f32;
         // Seeds of neither component, nor of a warp within, are those of a noise.
-        let own = self.seed.wrapping_mul(0x9e37_79b1).wrapping_add(self.depth().wrapping_mul(0xc2b2_ae35));
+        let own = apart(self.seed).wrapping_add(self.depth().wrapping_mul(0xc2b2_ae35));
         let (octaves, size, seed, other) = (self.octaves, self.size, own ^ 0x27d4_eb2f, own ^ 0x1656_67b1);
-        let variance = VARIANCE as f32;
         let inner = inner.replace('\n', "\n    ");
         format!(
             "    // What displaces positions, by its two components, in cells of an octave.
     var warp_across = across / {size:?};
     var warp_along = along / {size:?};
     var warp_at = clamp(position / {size:?}, vec2f(-1e9), vec2f(1e9));
-    let warp_squares = vec2f(dot(warp_across, warp_across), dot(warp_along, warp_along));
-    var warp_deviations =
-        footprint_deviations(vec3f(warp_squares.x, dot(warp_across, warp_along), warp_squares.y));
+    var warp_deviations = fractal_deviations(warp_across, warp_along);
     var warp_x = fractal_sum(0.0, 0.0, vec2f());
     var warp_y = warp_x;
     var warp_share = {scale:?};
@@ -140,7 +139,7 @@ impl Warp {
         warp_y = fractal_add(warp_y, warp_share, weights, m.x, slope_y);
         warp_share *= 0.5;
         warp_deviations *= 2.0;
-        warp_at = 2.0 * warp_at + vec2f(0.618033989, 0.414213562); // no lattice point on one of the octave before
+        warp_at = 2.0 * warp_at + {OFFSET};
         warp_across *= 2.0;
         warp_along *= 2.0;
     }}
@@ -156,6 +155,3 @@ impl Warp {
         )
     }
 }
-
-/// The variance of Perlin's noise, as on the shelf.
-const VARIANCE: f64 = 0.0465311504;
