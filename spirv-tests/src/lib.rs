@@ -10,6 +10,7 @@ pub mod exports;
 pub mod fill;
 pub mod gap;
 pub mod harness;
+pub mod horizon;
 pub mod imaging;
 pub mod judged;
 pub mod kernel;

@@ -3,6 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use super::gabor_spectrum::Spectrum;
+use super::lattice::gradient;
 
 /// Bandwidth of a kernel, in 1/cells.
 pub const BANDWIDTH: f64 = 0.8;
@@ -115,19 +116,6 @@ fn grown(footprint: [[f64; 3]; 2]) -> [[f64; 3]; 3] {
     [0, 1, 2].map(|row| [0, 1, 2].map(|column| entry(row, column)))
 }
 
-/// A function's gradient, by a symmetric difference of fourth order.
-fn gradient(of: impl Fn([f64; 3]) -> f64, at: [f64; 3]) -> [f64; 3] {
-    const STEP: f64 = 2e-4;
-    [0, 1, 2].map(|axis| {
-        let moved = |steps: f64| {
-            let mut moved = at;
-            moved[axis] += steps * STEP;
-            of(moved)
-        };
-        (8.0 * (moved(1.0) - moved(-1.0)) - (moved(2.0) - moved(-2.0))) / (12.0 * STEP)
-    })
-}
-
 /// The kernel with these random words, 0 beyond its reach, and its gradient.
 pub fn counted(apart: [f64; 3], words: [u32; 2], spectrum: &Spectrum, footprint: [[f64; 3]; 2]) -> (f64, [f64; 3]) {
     if distance(apart, footprint) >= REACH * REACH {
@@ -136,7 +124,7 @@ pub fn counted(apart: [f64; 3], words: [u32; 2], spectrum: &Spectrum, footprint:
     let phase = TAU * f64::from(words[1] >> 16) / 65_536.0;
     let wave = Wave { bandwidth: BANDWIDTH, frequency: spectrum.frequency(words), phase };
     let at = |apart| convolved(&wave, apart, footprint);
-    (at(apart), gradient(at, apart))
+    (at(apart), gradient(apart, at))
 }
 
 /// The gradient before the footprint's matrix: the vector g with the gradient −2π (I + 2π a² Σ)⁻¹ g.

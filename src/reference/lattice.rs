@@ -3,8 +3,8 @@
 use super::hash;
 
 /// A lattice point's place in a tile; a period of 0 is none.
-pub fn wrapped(place: [i64; 2], period: [i64; 2]) -> [i64; 2] {
-    [0, 1].map(|axis| match period[axis] {
+pub fn wrapped<const N: usize>(place: [i64; N], period: [i64; N]) -> [i64; N] {
+    std::array::from_fn(|axis| match period[axis] {
         0 => place[axis],
         period => place[axis].rem_euclid(period),
     })
@@ -30,9 +30,9 @@ pub fn around(position: [f64; 2]) -> [[i64; 2]; 4] {
 }
 
 /// The gradient of a function, by a symmetric difference of fourth order.
-pub fn gradient(position: [f64; 2], function: impl Fn([f64; 2]) -> f64) -> [f64; 2] {
+pub fn gradient<const N: usize>(position: [f64; N], function: impl Fn([f64; N]) -> f64) -> [f64; N] {
     const STEP: f64 = 2e-4;
-    [0, 1].map(|axis| {
+    std::array::from_fn(|axis| {
         let at = |steps: f64| {
             let mut moved = position;
             moved[axis] += steps * STEP;

@@ -2,14 +2,6 @@
 
 use super::hash;
 
-/// A lattice point's place in a tile; a period of 0 is none.
-pub fn wrapped(place: [i64; 3], period: [i64; 3]) -> [i64; 3] {
-    [0, 1, 2].map(|axis| match period[axis] {
-        0 => place[axis],
-        period => place[axis].rem_euclid(period),
-    })
-}
-
 /// The random word of a lattice point. A seed has points of its own, far away on the same lattice.
 pub fn word(place: [i64; 3], seed: u32) -> u32 {
     let starts = [0x9e37_79b9u32, 0x85eb_ca6b, 0xc2b2_ae35].map(|start| start.wrapping_mul(seed));
@@ -21,17 +13,4 @@ pub fn word(place: [i64; 3], seed: u32) -> u32 {
 pub fn around(position: [f64; 3]) -> [[i64; 3]; 8] {
     let corner = position.map(|part| part.floor() as i64);
     std::array::from_fn(|number| [0, 1, 2].map(|axis| corner[axis] + (number as i64 >> axis & 1)))
-}
-
-/// The gradient of a function, by a symmetric difference of fourth order.
-pub fn gradient(position: [f64; 3], function: impl Fn([f64; 3]) -> f64) -> [f64; 3] {
-    const STEP: f64 = 2e-4;
-    [0, 1, 2].map(|axis| {
-        let at = |steps: f64| {
-            let mut moved = position;
-            moved[axis] += steps * STEP;
-            function(moved)
-        };
-        (8.0 * (at(1.0) - at(-1.0)) - (at(2.0) - at(-2.0))) / (12.0 * STEP)
-    })
 }

@@ -1,7 +1,7 @@
 //! Perlin's gradient noise in space, by its definition: a sum over lattice points.
 
-use super::lattice::weight;
-use super::lattice_solid::{around, word, wrapped};
+use super::lattice::{weight, wrapped};
+use super::lattice_solid::{around, word};
 
 /// The directions to the middles of a cube's edges: those in the plane of x and y, of x and z, of y and z.
 const EDGES: [[f64; 3]; 12] = [

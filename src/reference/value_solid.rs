@@ -1,7 +1,7 @@
 //! Value noise in space, by its definition: a sum over lattice points.
 
-use super::lattice::weight;
-use super::lattice_solid::{around, word, wrapped};
+use super::lattice::{weight, wrapped};
+use super::lattice_solid::{around, word};
 
 /// The value of a lattice point: the center of one of 2²⁴ equal parts of [−1, 1].
 pub fn value(place: [i64; 3], seed: u32) -> f64 {

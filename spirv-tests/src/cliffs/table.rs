@@ -5,7 +5,7 @@ use super::method::Method;
 use super::model::gaps;
 use super::scene::{self, LIGHTS};
 use crate::gap::figure::Figure;
-use crate::imaging::measure::samples_for;
+use crate::imaging::measure::{samples, samples_for};
 use crate::imaging::region::Region;
 use crate::imaging::tally::{sizes, Of};
 use std::fmt::Write;
@@ -26,15 +26,6 @@ impl Row {
         };
         let measured: Vec<(usize, f64)> = BRUTE.into_iter().enumerate().map(brute).collect();
         samples_for(self.rms(method, region), &measured)
-    }
-}
-
-fn samples(samples: Result<f64, usize>) -> String {
-    match samples {
-        Ok(count) if count <= 1.0 => "<= 1".into(),
-        Ok(count) if count < 10.0 => format!("{count:.1}"),
-        Ok(count) => format!("{count:.0}"),
-        Err(most) => format!("> {most}"),
     }
 }
 

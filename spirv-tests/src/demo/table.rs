@@ -1,19 +1,10 @@
 //! The figures as text: a table for the terminal and one for other programs.
 
-use super::judge::{Judged, Row};
+use super::judge::Judged;
 use super::method::TIMED;
 use super::motion::Motion;
+use crate::imaging::measure::samples;
 use std::fmt::Write;
-
-/// Samples a pixel for the same RMS, or a bound where brute force was not measured that far.
-fn samples(row: &Row) -> String {
-    match row.samples {
-        Ok(count) if count <= 1.0 => "<= 1".into(),
-        Ok(count) if count < 10.0 => format!("{count:.1}"),
-        Ok(count) => format!("{count:.0}"),
-        Err(most) => format!("> {most}"),
-    }
-}
 
 /// The table of one input for the terminal.
 pub fn text(judged: &Judged) -> String {
@@ -27,7 +18,7 @@ pub fn text(judged: &Judged) -> String {
         let errors = row.deviation;
         let _ =
             write!(table, "{:22}{:8.4}{:8.4}{:8.4}", row.method.label(), errors.rms, errors.percentile, errors.maximum);
-        let _ = write!(table, "{:9.2}{:>9}", row.milliseconds, samples(row));
+        let _ = write!(table, "{:9.2}{:>9}", row.milliseconds, samples(row.samples));
         for shimmer in &row.shimmer {
             let _ = write!(table, "{shimmer:8.4}");
         }
@@ -62,7 +53,7 @@ pub fn csv(all: &[Judged]) -> String {
             let numbers =
                 [errors.rms, errors.percentile, errors.maximum].map(|number| format!("{number:.5}")).join(",");
             let _ = write!(table, "{},\"{}\",{numbers},{:.3},", judged.name, row.method.label(), row.milliseconds);
-            let _ = write!(table, "{}", samples(row));
+            let _ = write!(table, "{}", samples(row.samples));
             for shimmer in &row.shimmer {
                 let _ = write!(table, ",{shimmer:.5}");
             }

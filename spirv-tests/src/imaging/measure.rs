@@ -69,6 +69,16 @@ pub fn samples_for(rms: f64, measured: &[(usize, f64)]) -> Result<f64, usize> {
     Err(measured[measured.len() - 1].0)
 }
 
+/// Samples a pixel for the same RMS, or a bound where brute force was not measured that far.
+pub fn samples(samples: Result<f64, usize>) -> String {
+    match samples {
+        Ok(count) if count <= 1.0 => "<= 1".into(),
+        Ok(count) if count < 10.0 => format!("{count:.1}"),
+        Ok(count) => format!("{count:.0}"),
+        Err(most) => format!("> {most}"),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -3,22 +3,13 @@
 use super::judge::Judged;
 use super::method::{Method, TIMED};
 use crate::demo::motion::Motion;
+use crate::imaging::measure::samples;
 use crate::imaging::region::Region;
 use crate::imaging::tally::{sizes, Of};
 use std::fmt::Write;
 
 /// All pixels, and those of each region.
 const REGIONS: [Option<Region>; 4] = [None, Some(Region::Near), Some(Region::Between), Some(Region::Far)];
-
-/// Samples a pixel for the same RMS, or a bound where brute force was not measured that far.
-fn samples(samples: Result<f64, usize>) -> String {
-    match samples {
-        Ok(count) if count <= 1.0 => "<= 1".into(),
-        Ok(count) if count < 10.0 => format!("{count:.1}"),
-        Ok(count) => format!("{count:.0}"),
-        Err(most) => format!("> {most}"),
-    }
-}
 
 /// The table of one input for the terminal.
 pub fn text(judged: &Judged) -> String {

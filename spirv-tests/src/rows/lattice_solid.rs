@@ -1,6 +1,7 @@
 //! Lattices in space: places in a tile, and words.
 
-use prefilter::reference::lattice_solid::{word, wrapped};
+use prefilter::reference::lattice::wrapped;
+use prefilter::reference::lattice_solid::word;
 
 use super::Row;
 

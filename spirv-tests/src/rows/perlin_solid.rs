@@ -1,6 +1,6 @@
 //! Perlin's noise in space: sums over lattice points, gradients by differences.
 
-use prefilter::reference::lattice_solid::gradient;
+use prefilter::reference::lattice::gradient;
 use prefilter::reference::perlin_solid::{noise, slope};
 use prefilter::reference::retained::Noise;
 

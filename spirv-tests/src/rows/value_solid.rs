@@ -1,6 +1,6 @@
 //! Value noise in space: sums over lattice points, gradients by differences.
 
-use prefilter::reference::lattice_solid::gradient;
+use prefilter::reference::lattice::gradient;
 use prefilter::reference::value_solid::{noise, value};
 
 use super::lattice_solid::{place, whole};

@@ -1,18 +1,9 @@
 //! The figures as text: a table for the terminal and one for other programs.
 
-use super::judge::{Judged, Quantity, Row};
+use super::judge::{Judged, Quantity};
 use super::method::Method;
+use crate::imaging::measure::samples;
 use std::fmt::Write;
-
-/// Samples a pixel for the same RMS, or a bound where brute force was not measured that far.
-fn samples(row: &Row, method: Method, quantity: Quantity) -> String {
-    match row.samples(method, quantity) {
-        Ok(count) if count <= 1.0 => "<= 1".into(),
-        Ok(count) if count < 10.0 => format!("{count:.1}"),
-        Ok(count) => format!("{count:.0}"),
-        Err(most) => format!("> {most}"),
-    }
-}
 
 /// The table for the terminal.
 pub fn text(judged: &Judged) -> String {
@@ -28,7 +19,7 @@ pub fn text(judged: &Judged) -> String {
             for quantity in Quantity::ALL {
                 let (rms, sizes) = (row.rms(method, quantity).value, row.sizes(method, quantity));
                 let _ = write!(table, "{rms:10.4}{:8.4}{:8.4}", sizes.percentile, sizes.maximum);
-                let _ = write!(table, "{:>9}", samples(row, method, quantity));
+                let _ = write!(table, "{:>9}", samples(row.samples(method, quantity)));
             }
             table.push('\n');
         }
@@ -62,7 +53,7 @@ pub fn csv(judged: &Judged) -> String {
             let (figure, sizes) = (row.rms(method, quantity), row.sizes(method, quantity));
             let numbers = [figure.value, figure.error, row.truth_error(quantity), sizes.percentile, sizes.maximum];
             let numbers = numbers.map(|number| format!("{number:.5}")).join(",");
-            let samples = samples(row, method, quantity);
+            let samples = samples(row.samples(method, quantity));
             let _ = writeln!(table, "{},{},{},{numbers},{samples}", row.view.name, method.label(), quantity.name());
         }
     }

@@ -4,26 +4,16 @@
 use std::fmt::Write;
 
 use prefilter::driver::cosines::Wave;
-use prefilter::gpu::{Device, Kernel, Work};
+use prefilter::gpu::Device;
 use prefilter::{ColorMap, Cosines, Custom, Driver, Scene, Taps, Tier};
+use spirv_tests::horizon::{colors, pixels, square, FOCAL};
 use spirv_tests::maps::named;
 
 use crate::{waves, Outcome};
 
-/// Pixels a row, rows, and the distance of the first from the horizon.
-const SIZE: [usize; 2] = [48, 36];
-const FIRST: f64 = 2.5;
-/// Distance of the picture from the eye, in pixels.
-const FOCAL: f64 = 60.0;
 /// Samples a pixel along each axis of the truth.
 const SIDE: u32 = 32;
 const MEAN: f32 = 0.5;
-
-/// Right of the middle and below the horizon.
-fn pixels() -> impl Iterator<Item = [f64; 2]> {
-    let middle = 0.5 * (SIZE[0] as f64 - 1.0);
-    (0..SIZE[0] * SIZE[1]).map(move |at| [(at % SIZE[0]) as f64 - middle, (at / SIZE[0]) as f64 + FIRST])
-}
 
 /// Position, dpdx and dpdy of every pixel.
 fn footprints() -> Vec<f32> {
@@ -31,23 +21,6 @@ fn footprints() -> Vec<f32> {
         [px / py, FOCAL / py, 1.0 / py, 0.0, -px / (py * py), -FOCAL / (py * py)].map(|part| part as f32)
     };
     pixels().flat_map(footprint).collect()
-}
-
-/// The colors of a function `color(point: array<f32, 6>) -> vec3f`.
-fn colors(device: &Device, text: &str, points: &[f32]) -> Result<Vec<[f64; 3]>, prefilter::Error> {
-    let entry = "
-@group(0) @binding(0) var<storage, read_write> output: array<f32>;
-@group(0) @binding(1) var<storage, read> points: array<array<f32, 6>>;
-@compute @workgroup_size(64)
-fn main(@builtin(global_invocation_id) id: vec3u) {
-    if id.x >= arrayLength(&points) { return; }
-    let color = color(points[id.x]);
-    for (var channel = 0u; channel < 3u; channel++) { output[3u * id.x + channel] = color[channel]; }
-}";
-    let invocations = points.len() / 6;
-    let kernel = Kernel::new(device, &format!("{entry}\n{text}"), "main")?;
-    let found = kernel.run(&Work { inputs: &[points], textures: &[], invocations, output: 3 * invocations })?;
-    Ok(found.chunks_exact(3).map(|color| [0, 1, 2].map(|channel| f64::from(color[channel]))).collect())
 }
 
 /// `NAME_color` of a scene driven by something, on the plane.
@@ -125,16 +98,6 @@ fn baselines(waves: &[Wave]) -> Result<[String; 2], std::fmt::Error> {
         height(waves)?
     );
     Ok([paper + "    return m;\n}\n", point])
-}
-
-/// The mean over pixels of the square of the largest difference of a channel.
-fn square(found: &[[f64; 3]], truth: &[[f64; 3]]) -> f64 {
-    assert_eq!(found.len(), truth.len());
-    let largest =
-        |(a, b): (&[f64; 3], &[f64; 3])| (0..3).map(|channel| (a[channel] - b[channel]).abs()).fold(0.0, f64::max);
-    let sum: f64 = found.iter().zip(truth).map(|pair| largest(pair).powi(2)).sum();
-    assert!(sum.is_finite());
-    sum / truth.len() as f64
 }
 
 /// Point, paper, and ours by 1, 2, 4 and 8 taps: root mean square errors over four sums of waves, and their standard

@@ -2,9 +2,10 @@
 
 use prefilter::gpu::Device;
 use prefilter::{Driver, Kernel, Module, Noise, NoiseMethod, Scene, Taps, Tier};
+use spirv_tests::horizon::square;
 use spirv_tests::maps::named;
 
-use crate::plane::{filtered, square, Plane, Truth};
+use crate::plane::{filtered, Plane, Truth};
 use crate::{octaves, Found, Outcome};
 
 const SEEDS: [u32; 4] = [1, 2, 3, 4];

@@ -2,10 +2,11 @@
 
 use prefilter::gpu::Device;
 use prefilter::{Distribution, Driver, Kernel, Noise, NoiseBasis, NoiseFold, Scene, Taps, Tier};
+use spirv_tests::horizon::{colors, square};
 use spirv_tests::maps::named;
 use spirv_tests::random::Random;
 
-use crate::plane::{colors, filtered, square, Plane, Truth};
+use crate::plane::{filtered, Plane, Truth};
 use crate::{at, octaves, Outcome};
 
 /// Means of |n| over the plane, over the deviations of the noises.

@@ -1,17 +1,13 @@
 //! The plane of `examples/data/colormaps.json`, seen up to its horizon, with noise on it: places, footprints and truth.
 
-use prefilter::gpu::{Device, Kernel, Work};
+use prefilter::gpu::Device;
 use prefilter::{Module, Scene, Tier};
+use spirv_tests::horizon::{colors, pixels, FOCAL};
 use spirv_tests::maps::named;
 use spirv_tests::random::Random;
 
 use crate::{Found, Outcome};
 
-/// Pixels a row, rows, and the distance of the first from the horizon.
-const SIZE: [usize; 2] = [48, 36];
-const FIRST: f64 = 2.5;
-/// Distance of the picture from the eye, in pixels.
-const FOCAL: f64 = 60.0;
 /// Deviation of the pixel's filter.
 const DEVIATION: f64 = 0.5;
 
@@ -50,30 +46,6 @@ impl Plane {
         let ray = |[px, py]: [f64; 2]| [px, py, cos, sin, self.origin[0], self.origin[1]].map(|part| part as f32);
         pixels().flat_map(ray).collect()
     }
-}
-
-/// Right of the middle and below the horizon.
-fn pixels() -> impl Iterator<Item = [f64; 2]> {
-    let middle = 0.5 * (SIZE[0] as f64 - 1.0);
-    (0..SIZE[0] * SIZE[1]).map(move |at| [(at % SIZE[0]) as f64 - middle, (at / SIZE[0]) as f64 + FIRST])
-}
-
-/// The colors of a function `color(point: array<f32, 6>) -> vec3f` at lists of six numbers.
-pub fn colors(device: &Device, text: &str, points: &[f32]) -> Result<Vec<[f64; 3]>, prefilter::Error> {
-    let entry = "
-@group(0) @binding(0) var<storage, read_write> output: array<f32>;
-@group(0) @binding(1) var<storage, read> points: array<array<f32, 6>>;
-@compute @workgroup_size(64)
-fn main(@builtin(global_invocation_id) id: vec3u) {
-    if id.x >= arrayLength(&points) { return; }
-    let color = color(points[id.x]);
-    for (var channel = 0u; channel < 3u; channel++) { output[3u * id.x + channel] = color[channel]; }
-}";
-    let invocations = points.len() / 6;
-    let kernel = Kernel::new(device, &format!("{entry}\n{text}"), "main")?;
-    let work = Work { inputs: &[points], textures: &[], invocations, output: 3 * invocations };
-    let colors = kernel.run(&work)?;
-    Ok(colors.chunks_exact(3).map(|color| [0, 1, 2].map(|channel| f64::from(color[channel]))).collect())
 }
 
 /// The colors of a module's `NAME_color` on the plane.
@@ -136,13 +108,6 @@ impl Truth {
     pub fn mean(&self, device: &Device, plane: &Plane) -> Result<Vec<[f64; 3]>, prefilter::Error> {
         colors(device, &self.pixel, &plane.rays())
     }
-}
-
-/// The mean over pixels of the square of the largest difference of a channel.
-pub fn square(found: &[[f64; 3]], truth: &[[f64; 3]]) -> f64 {
-    let largest =
-        |(a, b): (&[f64; 3], &[f64; 3])| (0..3).map(|channel| (a[channel] - b[channel]).abs()).fold(0.0, f64::max);
-    found.iter().zip(truth).map(|pair| largest(pair).powi(2)).sum::<f64>() / truth.len() as f64
 }
 
 #[test]

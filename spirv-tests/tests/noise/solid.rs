@@ -3,10 +3,11 @@
 use prefilter::gpu::Device;
 use prefilter::reference::lattice_solid::word;
 use prefilter::{Driver, Kernel, Module, Noise, NoiseBasis, NoiseFold, NoiseMethod, Scene, Taps, Tier};
+use spirv_tests::horizon::{colors, square};
 use spirv_tests::maps::named;
 use spirv_tests::random::Random;
 
-use crate::plane::{colors, square, Plane, Truth};
+use crate::plane::{Plane, Truth};
 use crate::{at, Outcome};
 
 /// Noises with their variances, by their definitions, and those of their slopes over them.

@@ -3,9 +3,10 @@
 use prefilter::driver::pattern::Motif;
 use prefilter::gpu::Device;
 use prefilter::{Custom, Driver, Error, Kernel, Module, Noise, Pattern, Scene, SlopeMoments, Taps, Tier, Warp};
+use spirv_tests::horizon::{colors, square};
 use spirv_tests::maps::named;
 
-use crate::plane::{colors, filtered, square, Plane, Truth};
+use crate::plane::{filtered, Plane, Truth};
 use crate::{octaves, Outcome};
 
 const SEEDS: [u32; 4] = [1, 2, 3, 4];
