@@ -182,6 +182,7 @@ pub use shader::{link, Shader};
 pub use table::learned::Learned;
 pub use table::Table;
 pub use transfer::color_map::{ColorMap, Colors};
+pub use transfer::height_transfer::HeightTransfer;
 pub use transfer::irradiance::Irradiance;
 pub use transfer::slope_map::{SlopeDomain, SlopeMap};
 

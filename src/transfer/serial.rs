@@ -1,8 +1,10 @@
-//! Serialization of color maps, irradiance and maps of slopes through their parts, so that what is read back has passed
-//! every check.
+//! Serialization of color maps, irradiance, maps of slopes and height transfers through their parts, so that what is
+//! read back has passed every check.
 
 use super::color_map::{ColorMap, Knot, MAX_COLOR};
+use super::height_transfer::HeightTransfer;
 use super::irradiance::Irradiance;
+use super::shape::Shape;
 use super::slope_map::{SlopeDomain, SlopeMap};
 use crate::Error;
 
@@ -90,5 +92,27 @@ impl TryFrom<Grid> for SlopeMap {
             return Err(Error::value("the fourth channel of a map with three", fourth, "0"));
         }
         Self::checked(domain, size, colors, channels)
+    }
+}
+
+/// The parts of a height transfer.
+#[derive(serde::Serialize, serde::Deserialize)]
+pub(super) struct Curve {
+    shape: Shape,
+    amplitude: f32,
+    offset: f32,
+}
+
+impl From<HeightTransfer> for Curve {
+    fn from(HeightTransfer { shape, amplitude, offset, .. }: HeightTransfer) -> Self {
+        Self { shape, amplitude, offset }
+    }
+}
+
+impl TryFrom<Curve> for HeightTransfer {
+    type Error = Error;
+
+    fn try_from(Curve { shape, amplitude, offset }: Curve) -> Result<Self, Error> {
+        Self::new(shape, amplitude, offset)
     }
 }
