@@ -40,6 +40,7 @@ pub mod simplex;
 pub mod slope;
 pub mod slope_map;
 pub mod slope_moments;
+pub mod slope_nodes;
 pub mod slopes;
 pub mod smith;
 pub mod steepness;

@@ -50,6 +50,7 @@ pub const FILES: &[File] = shelf![
     "visibility/heights.wgsl",
     "visibility/normals.wgsl",
     "visibility/roughness.wgsl",
+    "visibility/slope_nodes.wgsl",
     "visibility/slopes.wgsl",
     "visibility/smith.wgsl",
     "visibility/steepness.wgsl",

@@ -40,6 +40,7 @@ mod rounds;
 mod simplex;
 mod slope_map;
 mod slope_moments;
+mod slope_nodes;
 mod slopes;
 mod smith;
 mod steepness;
@@ -203,6 +204,7 @@ pub fn all() -> Vec<Row> {
         rounds::rows(),
         simplex::rows(),
         slope_moments::rows(),
+        slope_nodes::rows(),
         slope_map::rows(),
         slopes::rows(),
         smith::rows(),

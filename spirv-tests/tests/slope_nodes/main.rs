@@ -1,0 +1,3 @@
+//! Slopes of transferred heights: the mixture over scales and the nodes that stand for it.
+
+mod references;

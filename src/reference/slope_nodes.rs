@@ -1,0 +1,192 @@
+//! Slopes of a transferred surface h = g(f), part by part of the values of f, without nodes.
+//!
+//! A normal f is independent of its slopes at the same place. Given f, slopes of h are normal with the mean g′ s̄ and
+//! the covariance g′² Σ of those of f: all of them together are a mixture over the scales g′(f), by equations 23 to 26
+//! of Heitz et al. 2014 before their mean is taken.
+//!
+//! What a view sees of a part is E[max(t, 0)] of its slopes times the share V(h) that is not hidden. Smith's argument,
+//! that the chance to be hidden between two heights goes with the facets there that face away, gives −ln V(h) = ∫ λ(h′)
+//! p(h′)/P(h′) dh′ over the heights above, P being the share of the surface below: P^Λ where λ is Λ everywhere. λ goes
+//! with |g′| where steep facets face away, and is Λ (1 − c + c |g′| / E|g′|) here: how close c ought to be to 1 is for
+//! brute force to tell. With c = 1 and areas 1 + λ the share seen below h is P(h) V(h), and all is seen of the plane.
+
+use super::normal::cumulative;
+use super::slopes::standard;
+
+/// Values of f this many deviations from the mean have 1e-15 of all.
+const FAR: f64 = 8.0;
+
+/// Parts of a deviation.
+const PARTS: f64 = 64.0;
+
+/// A part of the surface: values of f next to each other.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Part {
+    /// The value of f in its middle.
+    pub value: f64,
+    /// The share of the surface that it is.
+    pub share: f64,
+    /// The height h.
+    pub height: f64,
+    /// The scale g′.
+    pub scale: f64,
+}
+
+/// The parts of a surface, by rising f.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Transferred {
+    /// The parts; their shares sum to 1.
+    pub parts: Vec<Part>,
+}
+
+/// Slopes of f along the horizontal direction towards a viewer, and where that is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Along {
+    /// The angle of the view from the normal of the mesh in radians, below π/2.
+    pub angle: f64,
+    /// The mean of the slopes of f along the view.
+    pub mean: f64,
+    /// Their deviation.
+    pub deviation: f64,
+}
+
+/// The probability between two values of a standard normal variable, a ≤ b.
+fn between(a: f64, b: f64) -> f64 {
+    if a > 0.0 {
+        cumulative(-a) - cumulative(-b)
+    } else {
+        cumulative(b) - cumulative(a)
+    }
+}
+
+impl Transferred {
+    /// The surface over a normal f: the curve's height and slope at a value, and the values between which it is smooth.
+    pub fn new(
+        [mean, deviation]: [f64; 2],
+        breaks: &[f64],
+        height: impl Fn(f64) -> f64,
+        slope: impl Fn(f64) -> f64,
+    ) -> Self {
+        let part = |value: f64, share: f64| Part { value, share, height: height(value), scale: slope(value) };
+        if deviation <= 0.0 {
+            return Self { parts: vec![part(mean, 1.0)] };
+        }
+        let even = (0..=(2.0 * FAR * PARTS) as usize).map(|index| index as f64 / PARTS - FAR);
+        let inner = breaks.iter().map(|at| (at - mean) / deviation).filter(|at| at.abs() < FAR);
+        let mut ends: Vec<f64> = even.chain(inner).collect();
+        ends.sort_by(f64::total_cmp);
+        let pairs = ends.windows(2).map(|pair| [pair[0], pair[1]]).filter(|pair| pair[0] < pair[1]);
+        let all = between(-FAR, FAR);
+        let parts = pairs.map(|[a, b]| part(mean + deviation * 0.5 * (a + b), between(a, b) / all));
+        Self { parts: parts.collect() }
+    }
+
+    /// The mean of a function of the parts.
+    pub fn average(&self, function: impl Fn(&Part) -> f64) -> f64 {
+        self.parts.iter().map(|part| part.share * function(part)).sum()
+    }
+
+    /// −ln V/Λ of each part: how fast it is hidden as Λ grows, when hiding goes with |g′| by the share `follows`.
+    pub fn rates(&self, follows: f64) -> Vec<f64> {
+        let steepness = self.average(|part| part.scale.abs());
+        let hiding = |part: &Part| {
+            let steep = if steepness > 0.0 { part.scale.abs() / steepness } else { 1.0 };
+            1.0 - follows + follows * steep
+        };
+        let mut order: Vec<usize> = (0..self.parts.len()).collect();
+        order.sort_by(|&a, &b| self.parts[a].height.total_cmp(&self.parts[b].height));
+        let mut below: f64 = self.parts.iter().map(|part| part.share).sum();
+        let (mut above, mut rates) = (0.0, vec![0.0; self.parts.len()]);
+        for &index in order.iter().rev() {
+            let part = &self.parts[index];
+            let rest = (below - part.share).max(0.0);
+            // From the top to the middle of the part, and through it.
+            let to_middle = -(1.0 - 0.5 * part.share / below.max(part.share)).ln();
+            rates[index] = above + hiding(part) * to_middle;
+            above += if rest > 0.0 { hiding(part) * (below / rest).ln() } else { 0.0 };
+            below = rest;
+        }
+        rates
+    }
+
+    /// E[max(t, 0)] of each part: the area of its facets in the picture for a unit of area of the mesh.
+    pub fn areas(&self, along: Along) -> Vec<f64> {
+        let area = |part: &Part| {
+            let (rise, reach) = along.rise_and_reach(part.scale);
+            // Far from the horizon all facets face one way, 1e-17 of them aside.
+            if rise.abs() > 9.0 * reach {
+                rise.max(0.0)
+            } else {
+                reach * standard::weight(rise / reach)
+            }
+        };
+        self.parts.iter().map(area).collect()
+    }
+
+    /// Smith's Λ: the area that faces the view over that of the mean surface, less 1. Infinite below its horizon.
+    pub fn lambda(&self, along: Along) -> f64 {
+        let rise = self.average(|part| along.rise_and_reach(part.scale).0);
+        let area: f64 = self.parts.iter().zip(self.areas(along)).map(|(part, area)| part.share * area).sum();
+        if rise > 0.0 {
+            area / rise - 1.0
+        } else {
+            f64::INFINITY
+        }
+    }
+
+    /// The share of each part in what is seen, for the Λ of the view alone or with that of a light.
+    pub fn shares(&self, along: Along, lambda: f64, follows: f64) -> Vec<f64> {
+        let rates = self.rates(follows);
+        let areas = self.areas(along);
+        let seen = self.parts.iter().zip(rates).zip(areas).map(|((part, rate), area)| {
+            let seen = part.share * area * (-lambda * rate).exp();
+            if seen > 0.0 {
+                seen
+            } else {
+                0.0
+            }
+        });
+        let seen: Vec<f64> = seen.collect();
+        let sum: f64 = seen.iter().sum();
+        seen.into_iter().map(|share| share / sum).collect()
+    }
+
+    /// The probability that a slope along the view is below each of some rising edges, when `shares` of the parts are
+    /// seen. Level parts have the slope 0, an edge at which they are below.
+    pub fn below(&self, along: Along, shares: &[f64], edges: &[f64]) -> Vec<f64> {
+        let mut sums = vec![0.0; edges.len()];
+        for (part, share) in self.parts.iter().zip(shares).filter(|(_, share)| **share > 0.0) {
+            let (rise, reach) = along.rise_and_reach(part.scale);
+            let (mean, deviation) = (part.scale * along.mean, part.scale.abs() * along.deviation);
+            if deviation <= 0.0 {
+                sums.iter_mut().zip(edges).for_each(|(sum, edge)| *sum += if mean <= *edge { *share } else { 0.0 });
+                continue;
+            }
+            // Towards the view, u is against slopes: it lies above where a slope lies below.
+            let turned: Vec<f64> = edges.iter().rev().map(|edge| (mean - edge) / deviation).collect();
+            let above = standard::cumulative((rise / reach.max(1e-300)).min(1e6), &turned);
+            sums.iter_mut().zip(above.iter().rev()).for_each(|(sum, above)| *sum += share * (1.0 - above));
+        }
+        sums
+    }
+}
+
+impl Along {
+    /// The mean of t over slopes of a scale, and its deviation.
+    pub fn rise_and_reach(&self, scale: f64) -> (f64, f64) {
+        let (sin, cos) = libm::sincos(self.angle);
+        (cos - sin * scale * self.mean, sin * scale.abs() * self.deviation)
+    }
+}
+
+/// The share that is not hidden of heights h whose −ln P(h) has a gamma distribution of mean `rate` and variance
+/// `rate` · `spread`, in bits: its derivative by Λ is the mean that is left, rate / (1 + Λ spread), integrated.
+pub fn bits(lambda: f64, rate: f64, spread: f64) -> f64 {
+    // Even in the logarithm of 1 + Λ spread.
+    let end = (lambda * spread).ln_1p();
+    let [area] = super::quadrature::integrate(0.0, end, 1.0, |at| {
+        let grown = (at.exp_m1()) / spread;
+        [rate / (1.0 + grown * spread) * at.exp() / spread]
+    });
+    area * std::f64::consts::LOG2_E
+}
