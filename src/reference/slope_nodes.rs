@@ -86,27 +86,53 @@ impl Transferred {
         self.parts.iter().map(|part| part.share * function(part)).sum()
     }
 
-    /// −ln V/Λ of each part: how fast it is hidden as Λ grows, when hiding goes with |g′| by the share `follows`.
-    pub fn rates(&self, follows: f64) -> Vec<f64> {
+    /// How much hiding each part does, 1 in the mean: with |g′| by the share `follows`, alike by the rest.
+    fn hiding(&self, follows: f64) -> Vec<f64> {
         let steepness = self.average(|part| part.scale.abs());
-        let hiding = |part: &Part| {
-            let steep = if steepness > 0.0 { part.scale.abs() / steepness } else { 1.0 };
-            1.0 - follows + follows * steep
-        };
+        let steep = |part: &Part| if steepness > 0.0 { part.scale.abs() / steepness } else { 1.0 };
+        self.parts.iter().map(|part| 1.0 - follows + follows * steep(part)).collect()
+    }
+
+    /// The numbers of the parts from the highest down, with the shares of the surface below the top of each and below
+    /// its bottom.
+    fn downwards(&self) -> Vec<(usize, f64, f64)> {
         let mut order: Vec<usize> = (0..self.parts.len()).collect();
         order.sort_by(|&a, &b| self.parts[a].height.total_cmp(&self.parts[b].height));
-        let mut below: f64 = self.parts.iter().map(|part| part.share).sum();
+        let mut below = 0.0;
+        let mut stacked = Vec::with_capacity(order.len());
+        for index in order {
+            let top = below + self.parts[index].share;
+            stacked.push((index, top, below));
+            below = top;
+        }
+        stacked.reverse();
+        stacked
+    }
+
+    /// −ln V/Λ of each part: how fast it is hidden as Λ grows, when hiding goes with |g′| by the share `follows`.
+    pub fn rates(&self, follows: f64) -> Vec<f64> {
+        let hiding = self.hiding(follows);
         let (mut above, mut rates) = (0.0, vec![0.0; self.parts.len()]);
-        for &index in order.iter().rev() {
-            let part = &self.parts[index];
-            let rest = (below - part.share).max(0.0);
+        for (index, top, bottom) in self.downwards() {
             // From the top to the middle of the part, and through it.
-            let to_middle = -(1.0 - 0.5 * part.share / below.max(part.share)).ln();
-            rates[index] = above + hiding(part) * to_middle;
-            above += if rest > 0.0 { hiding(part) * (below / rest).ln() } else { 0.0 };
-            below = rest;
+            rates[index] = above + hiding[index] * (2.0 * top / (top + bottom)).ln();
+            above += if bottom > 0.0 { hiding[index] * (top / bottom).ln() } else { 0.0 };
         }
         rates
+    }
+
+    /// The share of each part in the heights that are seen, for the sum of Smith's Λ of view and light, where both areas
+    /// and hiding go with |g′|: differences of F(h) = P(h) V(h). They sum to 1.
+    pub fn visible_heights(&self, lambda: f64) -> Vec<f64> {
+        let hiding = self.hiding(1.0);
+        let (mut above, mut shares) = (0.0, vec![0.0; self.parts.len()]);
+        for (index, top, bottom) in self.downwards() {
+            let part = if bottom > 0.0 { hiding[index] * (top / bottom).ln() } else { f64::INFINITY };
+            let lost = if lambda > 0.0 && hiding[index] > 0.0 { lambda * part } else { 0.0 };
+            shares[index] = (-lambda * above).exp() * (top - bottom * (-lost).exp());
+            above += if bottom > 0.0 { part } else { 0.0 };
+        }
+        shares
     }
 
     /// E[max(t, 0)] of each part: the area of its facets in the picture for a unit of area of the mesh.

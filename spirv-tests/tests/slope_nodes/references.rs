@@ -28,6 +28,31 @@ fn the_identity_is_smiths_model() {
         let [found] = surface.below(TILTED, &shares, &[edge])[..] else { panic!("one edge") };
         assert!((found - (1.0 - truth)).abs() < 1e-6, "{found} {truth}");
     }
+    let seen = surface.visible_heights(lambda);
+    for (share, expected) in seen.iter().zip(surface.shares(TILTED, lambda, 1.0)) {
+        assert!((share - expected).abs() < 1e-6, "{share} {expected}");
+    }
+}
+
+/// Heights that are seen are the density p (1 + λ) V, whose integral is F: their shares, summed part by part.
+#[test]
+fn visible_heights_are_areas_that_are_not_hidden() {
+    let surface = Transferred::new([0.2, 0.6], &[0.0], |v| v.powi(3) - v, |v| 3.0 * v * v - 1.0);
+    let steepness = surface.average(|part| part.scale.abs());
+    let rates = surface.rates(1.0);
+    for lambda in [0.0, 0.4, 5.0] {
+        let seen = surface.visible_heights(lambda);
+        let mut whole = 0.0;
+        for ((part, rate), share) in surface.parts.iter().zip(&rates).zip(&seen) {
+            let density = part.share * (1.0 + lambda * part.scale.abs() / steepness) * (-lambda * rate).exp();
+            assert!(
+                (share - density).abs() < 2e-3 * density.max(part.share) + 1e-13,
+                "{lambda}, {part:?}: {share} {density}"
+            );
+            whole += share;
+        }
+        assert!((whole - 1.0).abs() < 1e-9, "{lambda}: {whole}");
+    }
 }
 
 /// Where facets that face away go with |g′| as hiding does, all that the plane shows is seen: ∫ p (1 + λ) V = 1.
