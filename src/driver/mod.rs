@@ -20,6 +20,7 @@ pub mod slope_mipmap;
 pub mod slope_moments;
 mod solid;
 pub mod taps;
+pub mod transfer;
 pub mod warp;
 
 use cosines::Cosines;

@@ -48,3 +48,35 @@ pub fn integrate<const N: usize>(from: f64, to: f64, width: f64, function: impl 
     }
     sum
 }
+
+/// The step between the nodes of [`integrate_ends`], and the last of them: all weights beyond are below 1e-17.
+const STEP: f64 = 0.1;
+const LAST: i32 = 32;
+
+/// The integral of a vector-valued function over [from, to], which may have any power above −1 at the ends.
+///
+/// Within 1e-13 of the largest integrand for a Gaussian factor of deviation σ over up to 4σ.
+///
+/// Source: Takahasi and Mori 1974, "Double exponential formulas for numerical integration".
+pub fn integrate_ends<const N: usize>(from: f64, to: f64, function: impl Fn(f64) -> [f64; N]) -> [f64; N] {
+    static NODES: std::sync::OnceLock<Vec<[f64; 2]>> = std::sync::OnceLock::new();
+    let nodes = NODES.get_or_init(|| {
+        let node = |index: i32| {
+            let t = STEP * f64::from(index);
+            let stretched = std::f64::consts::FRAC_PI_2 * t.sinh();
+            [stretched.tanh(), STEP * std::f64::consts::FRAC_PI_2 * t.cosh() / stretched.cosh().powi(2)]
+        };
+        (-LAST..=LAST).map(node).collect()
+    });
+    let (center, radius) = (0.5 * (from + to), 0.5 * (to - from));
+    let mut sum = [0.0; N];
+    if !(to > from) {
+        return sum;
+    }
+    for [node, weight] in nodes {
+        for (total, value) in sum.iter_mut().zip(function(center + radius * node)) {
+            *total += radius * weight * value;
+        }
+    }
+    sum
+}

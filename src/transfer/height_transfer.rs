@@ -140,6 +140,14 @@ impl HeightTransfer {
         least >= 0.0 || greatest <= 0.0
     }
 
+    /// The values at which the curve or its slope bends, from the lowest.
+    pub fn bends(&self) -> Vec<f64> {
+        match self.pieces() {
+            Some(pieces) => pieces.iter().skip(1).map(|piece| piece.from).collect(),
+            None => vec![0.0],
+        }
+    }
+
     /// The curve as cubics from −∞ to ∞; none for powers other than 1, 2 and 3.
     pub(crate) fn pieces(&self) -> Option<&[Piece]> {
         Some(self.pieces.as_slice()).filter(|pieces| !pieces.is_empty())

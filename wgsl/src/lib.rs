@@ -36,12 +36,14 @@ macro_rules! shelf {
 
 /// Every file of the shelf, rooms in the order of their dependencies, files by name.
 pub const FILES: &[File] = shelf![
+    "math/cubic.wgsl",
     "math/grid.wgsl",
     "math/mixture.wgsl",
     "math/hash.wgsl",
     "math/lattice.wgsl",
     "math/lattice_solid.wgsl",
     "math/normal.wgsl",
+    "math/piece.wgsl",
     "math/pulse.wgsl",
     "footprint/crossing.wgsl",
     "footprint/curvature.wgsl",
@@ -71,6 +73,7 @@ pub const FILES: &[File] = shelf![
     "driver/simplex.wgsl",
     "driver/slope_moments.wgsl",
     "driver/statistics.wgsl",
+    "driver/transfer.wgsl",
     "driver/value.wgsl",
     "driver/value_solid.wgsl",
     "driver/warp.wgsl",

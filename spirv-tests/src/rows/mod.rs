@@ -6,6 +6,7 @@
 mod combine;
 mod cosines;
 mod crossing;
+mod cubic;
 mod curvature;
 mod fold;
 mod footprint;
@@ -33,6 +34,7 @@ mod percentile;
 mod perlin;
 mod perlin_solid;
 mod perturbed;
+mod piece;
 mod pulse;
 mod rice;
 mod roughness;
@@ -46,6 +48,7 @@ mod smith;
 mod steepness;
 mod taps;
 mod texture;
+mod transfer;
 mod value;
 mod value_solid;
 mod visibility;
@@ -171,6 +174,7 @@ pub fn all() -> Vec<Row> {
         combine::rows(),
         cosines::rows(),
         crossing::rows(),
+        cubic::rows(),
         curvature::rows(),
         fold::rows(),
         footprint::rows(),
@@ -198,6 +202,7 @@ pub fn all() -> Vec<Row> {
         perlin::rows(),
         perlin_solid::rows(),
         perturbed::rows(),
+        piece::rows(),
         pulse::rows(),
         rice::rows(),
         roughness::rows(),
@@ -211,6 +216,7 @@ pub fn all() -> Vec<Row> {
         steepness::rows(),
         taps::rows(),
         texture::rows(),
+        transfer::rows(),
         value::rows(),
         value_solid::rows(),
         visibility::rows(),

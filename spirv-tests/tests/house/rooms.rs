@@ -31,6 +31,8 @@ const INSTEAD: &[(&str, &str, &str)] = &[
     ("wgsl/driver/value.wgsl", "src/driver/value", "src/driver/noise"),
     // Axes come in pairs: the inverse of the shader's axis is the baker's, which tables need anyway.
     ("wgsl/math/grid.wgsl", "src/reference/grid", "src/table/grid"),
+    // Cubics are one kind of piece.
+    ("wgsl/math/cubic.wgsl", "src/reference/cubic", "src/reference/piece"),
     // Distributions of Rice are how lengths of slopes are represented.
     ("wgsl/filter/rice.wgsl", "src/filter/rice", "src/filter/steepness"),
     ("wgsl/filter/rice.wgsl", "src/reference/rice", "src/reference/steepness"),

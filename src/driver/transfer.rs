@@ -1,0 +1,136 @@
+//! Height transfers between a driver and a filter: the moments of a curve over what a footprint holds, as WGSL.
+
+use crate::transfer::height_transfer::HeightTransfer;
+use crate::transfer::polynomial::Piece;
+
+/// The WGSL function `NAME_transferred(mean: f32, deviation: f32) -> vec4f`, which returns mean and variance of h =
+/// g(f) and of the slope g′(f) over a normal f, piece by piece in closed form; none for a power other than 1, 2 and 3.
+///
+/// The mean of h is where a displaced vertex belongs, so that geometry and shading agree at every distance. Values and
+/// slopes are within 1e-4 of their ranges, variances of the squared ranges, for deviations from 1e-4 to 10 times the
+/// part of the values over which the curve changes.
+///
+/// ```
+/// use prefilter::{driver::transfer, HeightTransfer};
+/// let text = transfer::closed("moss", &HeightTransfer::smoothstep(0.0, 1.2)?).unwrap_or_default();
+/// assert!(text.contains("fn moss_transferred(mean: f32, deviation: f32) -> vec4f"));
+/// assert!(prefilter::link(&[], &text)?.wgsl().contains("fn cubic_piece"));
+/// # Ok::<(), prefilter::Error>(())
+/// ```
+pub fn closed(name: &str, curve: &HeightTransfer) -> Option<String> {
+    let pieces = curve.pieces()?;
+    let body = match pieces {
+        [Piece { coefficients, .. }] => {
+            format!("    return piece_whole(mean, deviation, vec4f({}));\n", list(coefficients))
+        }
+        pieces => sum(pieces),
+    };
+    Some(format!(
+        "/// Mean and variance of the height g(f), and of the slope g'(f), over a normal f with this mean and deviation.
+fn {name}_transferred(mean: f32, deviation: f32) -> vec4f {{
+{body}}}
+"
+    ))
+}
+
+/// The statements that return the moments of two pieces or more.
+fn sum(pieces: &[Piece]) -> String {
+    // Below a millionth of the longest piece, on which all pieces must agree where one ends.
+    let floor = 1e-6 * pieces.iter().map(|piece| piece.unit).fold(0.0, f64::max);
+    let mut body = format!("    let s = max(deviation, {});\n    let inverse = 1.0 / s;\n", number(floor));
+    body += "    // The height and the slope at the mean, about which all is summed up.\n";
+    for (index, piece) in pieces.iter().enumerate() {
+        let at = at(piece);
+        body += &match index {
+            0 => format!("    var about = {at};\n"),
+            _ => format!("    about = select(about, {at}, mean >= {});\n", number(piece.from)),
+        };
+    }
+    for (index, piece) in pieces.iter().enumerate() {
+        let assigned = if index == 0 { "var sum =" } else { "sum +=" };
+        body += &format!("    {assigned} {};\n", part(piece));
+    }
+    body + "    return piece_statistics(sum, about);\n"
+}
+
+/// A piece's height and slope at the mean.
+fn at(piece: &Piece) -> String {
+    let [constant, linear, square, cube] = piece.coefficients;
+    let place = place(piece);
+    let scale = 1.0 / piece.unit;
+    match () {
+        () if [linear, square, cube] == [0.0; 3] => format!("vec2f({})", list(&[constant, 0.0])),
+        () if [square, cube] == [0.0; 2] => {
+            let [constant, linear, slope] = [constant, linear, linear * scale].map(number);
+            format!("vec2f({constant} + {place} * {linear}, {slope})")
+        }
+        () => {
+            let scaled = if piece.unit == 1.0 { String::new() } else { format!(" * vec2f(1.0, {})", number(scale)) };
+            format!("piece_curve({place}, vec4f({})){scaled}", list(&piece.coefficients))
+        }
+    }
+}
+
+/// What a piece adds.
+fn part(piece: &Piece) -> String {
+    let [constant, linear, square, cube] = piece.coefficients;
+    let end = |value: f64| format!("({}) * inverse", from(value, "mean"));
+    if [linear, square, cube] == [0.0; 3] {
+        let low = if piece.from.is_finite() { end(piece.from) } else { "-12.0".into() };
+        let high = if piece.to.is_finite() { end(piece.to) } else { "12.0".into() };
+        return format!("piece_flat({low}, {high}, vec2f({}) - about)", list(&[constant, 0.0]));
+    }
+    if piece.from == f64::NEG_INFINITY {
+        let mirrored = list(&[constant, -linear, square]);
+        let distance = from(piece.origin, "mean");
+        let part = format!("piece_half({distance}, s, vec3f({mirrored}), about * vec2f(1.0, -1.0))");
+        return format!("vec4f(1.0, 1.0, -1.0, 1.0) * {part}");
+    }
+    if piece.to == f64::INFINITY {
+        return format!("piece_half({}, s, vec3f({}), about)", place(piece), list(&[constant, linear, square]));
+    }
+    let scale = 1.0 / piece.unit;
+    let called = if [square, cube] == [0.0; 2] {
+        format!("piece_line({}, s * {}, vec2f({}),", place(piece), number(scale), list(&[constant, linear]))
+    } else {
+        format!("cubic_piece({}, s * {}, vec4f({}),", place(piece), number(scale), list(&piece.coefficients))
+    };
+    if piece.unit == 1.0 {
+        return format!("{called} about)");
+    }
+    let slopes = list(&[1.0, 1.0, scale, scale * scale]);
+    format!("vec4f({slopes}) * {called} about * vec2f(1.0, {}))", number(piece.unit))
+}
+
+/// The mean in the unit of a piece.
+fn place(piece: &Piece) -> String {
+    let distance = match piece.origin {
+        0.0 => "mean".to_owned(),
+        origin if origin < 0.0 => format!("(mean + {})", number(-origin)),
+        origin => format!("(mean - {})", number(origin)),
+    };
+    if piece.unit == 1.0 {
+        distance
+    } else {
+        format!("{distance} * {}", number(1.0 / piece.unit))
+    }
+}
+
+/// A number less a name.
+fn from(value: f64, less: &str) -> String {
+    if value == 0.0 {
+        format!("-{less}")
+    } else {
+        format!("{} - {less}", number(value))
+    }
+}
+
+fn list(values: &[f64]) -> String {
+    values.iter().map(|&value| number(value)).collect::<Vec<_>>().join(", ")
+}
+
+/// A literal of the nearest f32; abstract floats need a point or an exponent.
+fn number(value: f64) -> String {
+    let value = value as f32;
+    format!("{:?}", if value == 0.0 { 0.0 } else { value })
+}
