@@ -1,6 +1,7 @@
 //! How close a filter must be, over which values, and what is known of how close it is.
 
 use crate::transfer::color_map::ColorMap;
+use crate::transfer::height_transfer::HeightTransfer;
 use crate::Error;
 
 /// The largest mean and deviation, as of positions.
@@ -37,6 +38,20 @@ impl Ranges {
         let padding = 0.25 * (high - low);
         let mean = ((low - padding).max(-LARGEST), (high + padding).min(LARGEST));
         Self { mean, deviation: (0.5 * (high - low)).min(LARGEST) }
+    }
+
+    /// The ranges of the values that a height transfer is applied to: those of [`HeightTransfer::over`], or its default.
+    pub fn of_transfer(curve: &HeightTransfer) -> Self {
+        if let Some((mean, deviation)) = curve.values() {
+            return Self { mean, deviation };
+        }
+        let bends = curve.bends();
+        let ends = (bends.first().copied().unwrap_or(0.0), bends.last().copied().unwrap_or(0.0));
+        // A curve without two places of its own has no scale.
+        let (low, high) = if ends.0 < ends.1 { ends } else { (-1.0, 1.0) };
+        let part = 0.5 * (high - low);
+        let limited = |value: f64| (value as f32).clamp(-LARGEST, LARGEST);
+        Self { mean: (limited(low - part), limited(high + part)), deviation: limited(part).max(1e-3) }
     }
 
     /// The largest magnitude of a mean.

@@ -25,6 +25,7 @@ pub struct HeightTransfer {
     pub(super) shape: Shape,
     pub(super) amplitude: f32,
     pub(super) offset: f32,
+    pub(super) values: Option<((f32, f32), f32)>,
     pieces: Vec<Piece>,
 }
 
@@ -59,7 +60,7 @@ impl HeightTransfer {
 
     /// |f|: creases where f passes 0. Its range is 0 to ∞.
     pub fn absolute() -> Self {
-        Self { shape: Shape::Absolute, amplitude: 1.0, offset: 0.0, pieces: creased().to_vec() }
+        Self { shape: Shape::Absolute, amplitude: 1.0, offset: 0.0, values: None, pieces: creased().to_vec() }
     }
 
     /// A staircase from 0 to 1 over f from 0 to 1, constant beyond: a smoothstep in the middle of each of `count` equal
@@ -85,7 +86,18 @@ impl HeightTransfer {
     /// # Errors
     /// A number that is not finite or beyond ±65504, those of a curve that is scaled already multiplied out.
     pub fn scaled(self, amplitude: f32, offset: f32) -> Result<Self, Error> {
-        Self::new(self.shape, amplitude * self.amplitude, offset + amplitude * self.offset)
+        let scaled = Self::new(self.shape, amplitude * self.amplitude, offset + amplitude * self.offset)?;
+        Ok(Self { values: self.values, ..scaled })
+    }
+
+    /// The values of f that occur: means between two ends, and deviations up to one. Tables reach as far, and bounds
+    /// hold there. Default: half of the part of the values over which the curve changes more on either side, of −1 to 1
+    /// for curves that change everywhere, and deviations up to half of that part.
+    ///
+    /// A scene refuses ends less than 0.001 apart, a deviation below 0.001 and what is beyond ±65504.
+    #[must_use]
+    pub fn over(self, mean: (f32, f32), deviation: f32) -> Self {
+        Self { values: Some((mean, deviation)), ..self }
     }
 
     /// The curve offset + amplitude · shape, checked: what every constructor ends in.
@@ -96,7 +108,7 @@ impl HeightTransfer {
             }
         }
         let pieces = shape.pieces()?.into_iter().map(|piece| piece.scaled(amplitude.into(), offset.into())).collect();
-        Ok(Self { shape, amplitude, offset, pieces })
+        Ok(Self { shape, amplitude, offset, values: None, pieces })
     }
 
     /// The height h at a value of f.
@@ -140,12 +152,41 @@ impl HeightTransfer {
         least >= 0.0 || greatest <= 0.0
     }
 
-    /// The values at which the curve or its slope bends, from the lowest.
+    /// The values at which the curve or its slope bends and those at which its height has an extremum, from the lowest.
     pub fn bends(&self) -> Vec<f64> {
-        match self.pieces() {
-            Some(pieces) => pieces.iter().skip(1).map(|piece| piece.from).collect(),
-            None => vec![0.0],
+        let Some(pieces) = self.pieces() else { return vec![0.0] };
+        let turns = pieces.iter().flat_map(|piece| piece.turns()[0].clone());
+        let mut bends: Vec<f64> = pieces.iter().skip(1).map(|piece| piece.from).chain(turns).collect();
+        bends.sort_by(f64::total_cmp);
+        bends
+    }
+
+    /// The values between `low` and `high`, both finite, at which the curve passes a height or begins or ends to stay
+    /// on it, from the lowest.
+    pub fn crossings(&self, low: f64, high: f64, height: f64) -> Vec<f64> {
+        let inner = self.bends().into_iter().filter(|&bend| low < bend && bend < high);
+        let ends: Vec<f64> = [low].into_iter().chain(inner).chain([high]).collect();
+        let above = |value: f64| self.height(value) - height;
+        let mut found = Vec::new();
+        for pair in ends.windows(2) {
+            let [from, to] = [pair[0], pair[1]];
+            let [start, end] = [from, to].map(above);
+            if start == 0.0 && end != 0.0 && from > low && found.last() != Some(&from) {
+                found.push(from);
+            }
+            if start * end < 0.0 {
+                found.push(bisected(from, to, |value| above(value) * start < 0.0));
+            }
+            if end == 0.0 && start != 0.0 && to < high {
+                found.push(to);
+            }
         }
+        found
+    }
+
+    /// The means between which f is, and its largest deviation, by [`Self::over`].
+    pub(crate) fn values(&self) -> Option<((f32, f32), f32)> {
+        self.values
     }
 
     /// The curve as cubics from −∞ to ∞; none for powers other than 1, 2 and 3.
@@ -173,5 +214,22 @@ impl HeightTransfer {
         let inner = inner.chain([0.0]).filter(|&value| low < value && value < high);
         let results = inner.chain([low, high]).flat_map(results);
         results.fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), next| (least.min(next), most.max(next)))
+    }
+}
+
+/// The value between two where a condition begins to hold.
+fn bisected(from: f64, to: f64, holds: impl Fn(f64) -> bool) -> f64 {
+    let [mut low, mut high] = [from, to];
+    // Halves until there is no number between.
+    loop {
+        let middle = 0.5 * (low + high);
+        if middle <= low || middle >= high {
+            return high;
+        }
+        if holds(middle) {
+            high = middle;
+        } else {
+            low = middle;
+        }
     }
 }

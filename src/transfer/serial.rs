@@ -101,18 +101,20 @@ pub(super) struct Curve {
     shape: Shape,
     amplitude: f32,
     offset: f32,
+    values: Option<((f32, f32), f32)>,
 }
 
 impl From<HeightTransfer> for Curve {
-    fn from(HeightTransfer { shape, amplitude, offset, .. }: HeightTransfer) -> Self {
-        Self { shape, amplitude, offset }
+    fn from(HeightTransfer { shape, amplitude, offset, values, .. }: HeightTransfer) -> Self {
+        Self { shape, amplitude, offset, values }
     }
 }
 
 impl TryFrom<Curve> for HeightTransfer {
     type Error = Error;
 
-    fn try_from(Curve { shape, amplitude, offset }: Curve) -> Result<Self, Error> {
-        Self::new(shape, amplitude, offset)
+    fn try_from(Curve { shape, amplitude, offset, values }: Curve) -> Result<Self, Error> {
+        let curve = Self::new(shape, amplitude, offset)?;
+        Ok(values.map_or(curve.clone(), |(mean, deviation)| curve.over(mean, deviation)))
     }
 }

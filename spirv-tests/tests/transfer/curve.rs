@@ -1,6 +1,6 @@
 //! Curves are what they say, and refuse what they cannot be.
 
-use prefilter::{Error, HeightTransfer};
+use prefilter::{Error, HeightTransfer, Ranges};
 use spirv_tests::random::Random;
 
 use crate::{curves, Outcome};
@@ -80,6 +80,50 @@ fn named_curves_are_what_they_say() -> Outcome {
     assert!((samples.slope(1.0 / 3.0) - 2.0 * 0.3 * 1.2 / 1.5).abs() < 1e-6, "{}", samples.slope(1.0 / 3.0));
     let scaled = HeightTransfer::knots([(0.0, 0.0), (1.0, 1.0)])?.scaled(2.0, 1.0)?.scaled(-1.0, 0.5)?;
     assert_eq!([0.0, 0.5, 1.0].map(|f| scaled.height(f)), [-0.5, -1.5, -2.5]);
+    Ok(())
+}
+
+/// Between crossings the curve stays on one side of the height, or on it, and it is on the height where they are.
+#[test]
+fn crossings_part_the_curve() -> Outcome {
+    let mut random = Random::new(13);
+    for (name, curve, [low, high]) in curves()? {
+        let (least, most) = curve.range(low, high);
+        // Those of treads and knots too.
+        let heights = [0.2, 0.4, 0.6].into_iter().chain((0..50).map(|_| least + (most - least) * random.unit()));
+        for height in heights.collect::<Vec<_>>() {
+            let crossings = curve.crossings(low, high, height);
+            assert!(
+                crossings.is_sorted() && crossings.iter().all(|&at| low < at && at < high),
+                "{name}: {crossings:?}"
+            );
+            for &at in &crossings {
+                assert!((curve.height(at) - height).abs() < 1e-12, "{name}: {height} at {at}");
+            }
+            let ends: Vec<f64> = [low].into_iter().chain(crossings).chain([high]).collect();
+            for pair in ends.windows(2) {
+                let within = (1..50).map(|part| pair[0] + (pair[1] - pair[0]) * f64::from(part) / 50.0);
+                let sides: Vec<f64> = within.map(|value| curve.height(value) - height).collect();
+                let one = sides.iter().all(|&side| side > 0.0) || sides.iter().all(|&side| side < 0.0);
+                assert!(one || sides.iter().all(|side| side.abs() < 1e-12), "{name}: {height}, {pair:?}: {sides:?}");
+            }
+        }
+    }
+    let terraces = HeightTransfer::terraces(2, 0.5)?;
+    assert_eq!(terraces.crossings(-1.0, 2.0, 0.5), [0.375, 0.625]);
+    assert_eq!(HeightTransfer::absolute().crossings(-1.0, 2.0, 0.0), [0.0]);
+    Ok(())
+}
+
+#[test]
+fn ranges_are_those_given_or_of_the_bends() -> Outcome {
+    let step = HeightTransfer::smoothstep(0.5, 1.5)?;
+    assert_eq!(Ranges::of_transfer(&step), Ranges { mean: (0.0, 2.0), deviation: 0.5 });
+    let given = step.over((-1.0, 3.0), 0.25).scaled(2.0, 0.0)?;
+    assert_eq!(Ranges::of_transfer(&given), Ranges { mean: (-1.0, 3.0), deviation: 0.25 });
+    assert_eq!(serde_json::from_str::<HeightTransfer>(&serde_json::to_string(&given)?)?, given);
+    let absolute = HeightTransfer::absolute();
+    assert_eq!(Ranges::of_transfer(&absolute), Ranges { mean: (-2.0, 2.0), deviation: 1.0 });
     Ok(())
 }
 
