@@ -12,6 +12,7 @@ pub mod indicators;
 pub mod moment_mipmap;
 pub mod moments;
 pub mod noise;
+mod octave_slopes;
 mod octaves;
 pub mod pattern;
 mod pyramid;
@@ -48,7 +49,7 @@ pub enum Driver {
     Indicators(Indicators),
     /// Mean and covariance of the slopes of a map of normals or heights: for slopes, steepness and irradiance.
     SlopeMoments(SlopeMoments),
-    /// Octaves of noise, in the plane or in space: for values and heights.
+    /// Octaves of noise, in the plane or in space: for values and heights, and for slopes in the plane.
     Noise(Noise),
     /// One of two values, by stripes, a checker or a grid: for values and heights.
     Pattern(Pattern),
@@ -90,7 +91,10 @@ impl Driver {
             Self::Moments(_) => "mean and deviation of a value, `Driver::Moments`",
             Self::Indicators(_) => "shares of a map of two to nine bands, `Driver::Indicators`",
             Self::SlopeMoments(_) => "mean and covariance of slopes, `Driver::SlopeMoments`",
-            Self::Noise(_) => "values and heights without slopes, `Driver::Noise`",
+            Self::Noise(noise) if noise.knows_slopes() => "values, heights and slopes, `Driver::Noise`",
+            Self::Noise(_) => {
+                "values and heights without slopes, `Driver::Noise` in space, folded or with the method `Stationary`"
+            }
             Self::Pattern(_) => "values and heights without slopes, `Driver::Pattern`",
             Self::Gabor(_) => "values and heights without slopes, `Driver::Gabor`",
             Self::Cosines(_) => "values, heights and slopes, `Driver::Cosines`",
@@ -104,7 +108,8 @@ impl Driver {
     pub(crate) fn knows_slopes(&self) -> bool {
         match self {
             Self::Moments(_) | Self::Indicators(_) | Self::SlopeMoments(_) => false,
-            Self::Noise(_) | Self::Pattern(_) | Self::Gabor(_) => false,
+            Self::Pattern(_) | Self::Gabor(_) => false,
+            Self::Noise(noise) => noise.knows_slopes(),
             Self::Warp(_) => false,
             Self::Cosines(_) => true,
             Self::Custom(custom) => custom.knows_slopes(),
@@ -133,7 +138,7 @@ impl Driver {
     pub(crate) fn function(&self, slopes: bool) -> Option<Function> {
         match self {
             Self::Moments(_) | Self::Indicators(_) | Self::SlopeMoments(_) => None,
-            Self::Noise(noise) => Some(noise.function()),
+            Self::Noise(noise) => Some(noise.function(slopes)),
             Self::Pattern(pattern) => Some(pattern.function()),
             Self::Gabor(gabor) => Some(gabor.function()),
             Self::Cosines(cosines) => Some(cosines.function(slopes)),

@@ -11,29 +11,48 @@ pub(super) fn apart(seed: u32) -> u32 {
     seed.wrapping_mul(0x9e37_79b1)
 }
 
+/// What the loop over octaves in the plane is made of, in WGSL.
+pub(super) struct Octave {
+    /// The call that gives the noise and its gradient, of `at` and `octave`.
+    pub noise: String,
+    /// The scalar or matrix from an octave to the next.
+    pub step: String,
+    /// Statements before the loop.
+    pub before: String,
+    /// Statements at the end of each turn.
+    pub after: String,
+}
+
 impl Noise {
-    /// The loop over octaves.
-    pub(super) fn body(&self) -> String {
-        let Shelf { name, variance, folded, periodic } = self.basis.shelf();
-        let Self { octaves, gain, lacunarity, .. } = *self;
-        let ([mean, scale], seed) = (self.placed(), apart(self.seed));
+    /// The noise of an octave and its place, in the plane.
+    pub(super) fn octave(&self) -> Octave {
+        let Shelf { name, periodic, .. } = self.basis.shelf();
+        let seed = apart(self.seed);
         let tile = if periodic { format!(", vec2f({:?})", self.period as f32) } else { String::new() };
         let tile = if self.period > 0 { ", tile".to_owned() } else { tile };
         let (mut before, mut after) = (String::new(), String::new());
         if self.period > 0 {
             before += &format!("    var tile = vec2f({:?});\n", self.period as f32);
-            after += &format!("        tile *= {lacunarity:?};\n");
+            after += &format!("        tile *= {:?};\n", self.lacunarity);
         }
         let [step, _] = self.turned(1);
         if self.rotation != 0.0 {
             before += &format!("    let step = {step};\n");
         }
         let step = if self.rotation == 0.0 { step } else { "step".to_owned() };
+        Octave { noise: format!("{name}_noise(at{tile}, {seed}u + octave)"), step, before, after }
+    }
+
+    /// The loop over octaves.
+    pub(super) fn body(&self) -> String {
+        let Shelf { name, variance, folded, .. } = self.basis.shelf();
+        let Self { octaves, gain, lacunarity, .. } = *self;
+        let [mean, scale] = self.placed();
+        let Octave { noise, step, mut before, mut after } = self.octave();
         let weights = match self.method {
             NoiseMethod::Gradient => format!("{name}_filter(deviations)"),
             NoiseMethod::Stationary => format!("fractal_stationary({name}_lost(vec2f(1.41421356 * deviations.x)))"),
         };
-        let noise = format!("{name}_noise(at{tile}, {seed}u + octave)");
         let (octave, behind) = match self.fold {
             NoiseFold::None => self.straight(&noise, &mut before, &mut after),
             _ => {
@@ -90,7 +109,7 @@ impl Noise {
     }
 
     /// The variance of a sum of octaves whose noise has the variance 1.
-    fn power(&self) -> f64 {
+    pub(super) fn power(&self) -> f64 {
         (0..self.octaves).map(|octave| f64::from(self.gain).powi(2 * octave as i32)).sum()
     }
 

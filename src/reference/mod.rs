@@ -22,6 +22,7 @@ pub mod indicators;
 pub mod irradiance;
 pub mod lattice;
 pub mod lattice_solid;
+pub mod leveled;
 pub mod mixture;
 pub mod moments;
 pub mod normal;

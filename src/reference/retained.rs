@@ -129,7 +129,7 @@ fn axes() -> &'static Axes {
 }
 
 /// ∫ f(x) f(x + distance) dx of a function that is 0 beyond 1 and smooth but at 0.
-fn correlation(function: fn(f64) -> f64, distance: f64) -> f64 {
+pub(super) fn correlation(function: fn(f64) -> f64, distance: f64) -> f64 {
     if distance >= 2.0 {
         return 0.0;
     }
@@ -144,7 +144,7 @@ fn correlation(function: fn(f64) -> f64, distance: f64) -> f64 {
 }
 
 /// Nodes and weights from 0 to an end, in panels that double from 2⁻¹¹ to ¼ and stay there.
-fn graded(end: f64) -> Vec<[f64; 2]> {
+pub(super) fn graded(end: f64) -> Vec<[f64; 2]> {
     let mut nodes = Vec::new();
     let (mut from, mut to) = (0.0, 1.0 / 2048.0);
     while from < end {
@@ -176,7 +176,7 @@ impl Axes {
         for &[distance, weight, a, b, steep_a, steep_b] in &self.nodes {
             let at = distance / deviation;
             if at > 9.0 {
-                break;
+                continue;
             }
             let density = scale * weight * libm::exp(-0.5 * at * at);
             let values = [a, b, a * a, a * b, b * b, steep_a * steep_a, steep_a * steep_b, steep_b * steep_b];
@@ -216,7 +216,7 @@ fn kernel() -> &'static Kernel {
 }
 
 /// ∫ k(x) k(x + distance) over the plane, for lines of all directions alike.
-fn overlap(distance: f64) -> f64 {
+pub(super) fn overlap(distance: f64) -> f64 {
     let reach = 0.5f64.sqrt();
     let wide = reach - 0.5 * distance;
     if wide <= 0.0 {
@@ -245,7 +245,7 @@ impl Kernel {
         for &[distance, weight, value, slope] in &self.nodes {
             let far = distance / major;
             if far > 9.0 {
-                break;
+                continue;
             }
             // exp(−½ r² (cos²/a² + sin²/b²)) falls from the major axis on, within an angle of 1/√sharp.
             let sharp = 0.5 * distance * distance * (1.0 / (minor * minor) - 1.0 / (major * major));

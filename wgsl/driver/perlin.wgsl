@@ -94,3 +94,28 @@ fn perlin_filter(deviations: vec2f) -> vec3f {
     let share = 8.38395208 * trace * squared;
     return vec3f(1.0 - lost, sqrt(squared), lost * (2.0 - lost) - share);
 }
+
+/// 1 − g along the major and along the minor axis of a footprint with these deviations in cells.
+///
+/// Along either axis the footprint's mean slope is best told as g times that of a point. Around that the variance of
+/// slopes is 1 − g² of the noise's. With R for the mean of the noise's correlation over all turns, g is the footprint's
+/// mean of the second derivative of R along the axis, over that at 0. As R is near ½ (A B + B A), g is a sum of two
+/// products of factors along the axes, as s^−5 s^−1 and s^−3 s^−3 far away: a fit, exact to the order s², the largest
+/// error in deviations from 0.01 to 30 and aspects to 100 minimized to 6e-4.
+///
+/// Source: the mean of the gradient, given it at the point, of a Gaussian process of the same autocorrelation.
+/// Domain: deviations log in [0.004, 100].
+/// Error: 8e-4 absolute; the fit.
+fn perlin_leveled(deviations: vec2f) -> vec2f {
+    let s = clamp(deviations, vec2f(), vec2f(1e3));
+    let u = s * s;
+    // Along the axis, with the second derivatives of lines and weights; across it with the other's correlation.
+    let lines = u * (10.2286860 + s * (2.37759961 + s * (14.1056065 + 47.7829723 * s)));
+    let weights = u * (5.62265418 + 30.3947375 * u);
+    let beside_lines = (u * (3.01139589 + 3.40596163 * s)).yx;
+    let beside_weights = (u * (4.27941938 + 5.06835086 * s)).yx;
+    let all_lines = 1.0 + (s * (1.67639002 + 1.50308350 * s)).yx + beside_lines;
+    let all_weights = 1.0 + 5.33316686 * s + weights;
+    return 0.857968634 * ((lines * all_lines + beside_lines) / (all_lines * (1.0 + lines)))
+        + 0.142031366 * ((beside_weights * all_weights + weights) / (all_weights * (1.0 + beside_weights)));
+}

@@ -87,3 +87,24 @@ fn simplex_filter(deviations: vec2f) -> vec3f {
     let share = 22.8571429 * trace * squared;
     return vec3f(1.0 - lost, sqrt(squared), lost * (2.0 - lost) - share);
 }
+
+/// 1 − g along the major and along the minor axis of a footprint with these deviations, as `perlin_leveled` has it.
+///
+/// As the kernel is near a Gaussian, the same form serves: fitted to g as a whole, exact to the order s², the largest
+/// error in deviations from 0.01 to 30 and aspects to 100 minimized to 1.6e-3.
+///
+/// Source: as `perlin_leveled`.
+/// Domain: deviations log in [0.004, 100].
+/// Error: 2e-3 absolute; the fit.
+fn simplex_leveled(deviations: vec2f) -> vec2f {
+    let s = clamp(deviations, vec2f(), vec2f(1e3));
+    let u = s * s;
+    let lines = u * (27.3164716 + s * (17.0402528 + s * (123.313498 + 665.067211 * s)));
+    let weights = u * (18.9771178 + s * (1.56713306 + 111.558507 * s));
+    let beside_lines = (6.51020383 * u).yx;
+    let beside_weights = (u * (10.9053630 + 17.2774615 * s)).yx;
+    let all_lines = 1.0 + 2.16483409 * s.yx + beside_lines;
+    let all_weights = 1.0 + 0.971297660 * s + weights;
+    return 0.638284735 * ((lines * all_lines + beside_lines) / (all_lines * (1.0 + lines)))
+        + 0.361715265 * ((beside_weights * all_weights + weights) / (all_weights * (1.0 + beside_weights)));
+}

@@ -66,3 +66,22 @@ fn value_filter(deviations: vec2f) -> vec3f {
     let share = 3.64640884 * (u.x + u.y) * coupling * coupling;
     return vec3f(1.0 - lost, coupling, lost * (2.0 - lost) - share);
 }
+
+/// 1 − g along the major and along the minor axis of a footprint with these deviations in cells, as `perlin_leveled`
+/// has it.
+///
+/// As R is near A A, g is a product of factors along the axes: a fit, exact to the order s² and as s^−3 s^−1 far away,
+/// the largest error in deviations from 0.01 to 30 and aspects to 100 minimized to 1.8e-3, and to 1.4 % of 1 − g².
+///
+/// Source: as `perlin_leveled`.
+/// Domain: deviations log in [0.004, 100].
+/// Error: 2e-3 absolute; the fit.
+fn value_leveled(deviations: vec2f) -> vec2f {
+    let s = clamp(deviations, vec2f(), vec2f(1e3));
+    let u = s * s;
+    let along = u * (5.86740332 + u * (13.5601370 + 10.4283954 * s));
+    let across = (u * (1.95580111 + 2.62979288 * s)).yx;
+    let all_along = 1.0 + s * (0.290097123 + 2.01302158 * s) + along;
+    let all_across = 1.0 + (s * (1.63765369 + 1.37619803 * s)).yx + across;
+    return (along * all_across + across * (all_along - along)) / (all_along * all_across);
+}

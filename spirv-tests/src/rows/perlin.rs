@@ -1,6 +1,7 @@
 //! Perlin's noise: sums over lattice points, gradients by differences.
 
 use prefilter::reference::lattice::gradient;
+use prefilter::reference::leveled::leveled;
 use prefilter::reference::perlin::{noise, slope};
 use prefilter::reference::retained::Noise;
 
@@ -26,5 +27,6 @@ pub(super) fn rows() -> Vec<Row> {
         }),
         Row::new("perlin_lost", |x| [lost(Noise::Perlin, x)]),
         Row::new("perlin_filter", |x| Noise::Perlin.filter([x[0], x[1]])).only_where(ordered),
+        Row::new("perlin_leveled", |x| leveled(Noise::Perlin, [x[0], x[1]])),
     ]
 }

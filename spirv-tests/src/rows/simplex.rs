@@ -1,6 +1,7 @@
 //! Simplex noise: sums over lattice points, gradients by differences.
 
 use prefilter::reference::lattice::gradient;
+use prefilter::reference::leveled::leveled;
 use prefilter::reference::retained::Noise;
 use prefilter::reference::simplex::{noise, part};
 
@@ -21,5 +22,6 @@ pub(super) fn rows() -> Vec<Row> {
         }),
         Row::new("simplex_lost", |x| [lost(Noise::Simplex, x)]),
         Row::new("simplex_filter", |x| Noise::Simplex.filter([x[0], x[1]])).only_where(ordered),
+        Row::new("simplex_leveled", |x| leveled(Noise::Simplex, [x[0], x[1]])),
     ]
 }

@@ -1,6 +1,7 @@
 //! Value noise: sums over lattice points, gradients by differences.
 
 use prefilter::reference::lattice::gradient;
+use prefilter::reference::leveled::leveled;
 use prefilter::reference::retained::Noise;
 use prefilter::reference::value::{noise, value};
 
@@ -17,5 +18,6 @@ pub(super) fn rows() -> Vec<Row> {
         }),
         Row::new("value_lost", |x| [lost(Noise::Value, x)]),
         Row::new("value_filter", |x| Noise::Value.filter([x[0], x[1]])).only_where(ordered),
+        Row::new("value_leveled", |x| leveled(Noise::Value, [x[0], x[1]])),
     ]
 }

@@ -3,7 +3,7 @@
 use prefilter::gpu::{Device, Kernel, Work};
 use prefilter::reference::fractal::Octaves;
 use prefilter::reference::{perlin, simplex, value};
-use prefilter::{ColorMap, Driver, Error, Noise, NoiseBasis, NoiseMethod, Scene};
+use prefilter::{ColorMap, Driver, Error, Noise, NoiseBasis, NoiseFold, NoiseMethod, Scene};
 use spirv_tests::random::Random;
 
 use crate::Outcome;
@@ -164,8 +164,19 @@ fn what_is_no_noise_is_refused() -> Outcome {
         let error = refused(noise);
         assert!(error.contains(says), "`{error}` does not say `{says}`");
     }
-    let slopes = Scene::new("dune").slope(ColorMap::gradient([(0.0, [0.0; 3]), (1.0, [1.0; 3])])?);
-    let error = slopes.driver(Driver::Noise(Noise::default())).module().unwrap_err().to_string();
-    assert!(error.contains("`Driver::Noise`"), "{error}");
+    let slopes = |noise: Noise| -> Result<_, Error> {
+        let dune = Scene::new("dune").slope(ColorMap::gradient([(0.0, [0.0; 3]), (1.0, [1.0; 3])])?);
+        dune.driver(Driver::Noise(noise)).module()
+    };
+    slopes(Noise::default())?;
+    for noise in [
+        Noise { basis: NoiseBasis::PerlinSolid, ..Noise::default() },
+        Noise { basis: NoiseBasis::ValueSolid, ..Noise::default() },
+        Noise { fold: NoiseFold::Ridged, ..Noise::default() },
+        Noise { method: NoiseMethod::Stationary, ..Noise::default() },
+    ] {
+        let error = slopes(noise).unwrap_err().to_string();
+        assert!(error.contains("without slopes, `Driver::Noise` in space, folded or"), "{error}");
+    }
     Ok(())
 }
