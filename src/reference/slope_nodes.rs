@@ -16,8 +16,8 @@ use super::slopes::standard;
 /// Values of f this many deviations from the mean have 1e-15 of all.
 const FAR: f64 = 8.0;
 
-/// Parts of a deviation.
-const PARTS: f64 = 64.0;
+/// Parts of a deviation, where nothing else is said.
+const PARTS: usize = 64;
 
 /// A part of the surface: values of f next to each other.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -67,11 +67,22 @@ impl Transferred {
         height: impl Fn(f64) -> f64,
         slope: impl Fn(f64) -> f64,
     ) -> Self {
+        Self::in_parts(PARTS, [mean, deviation], breaks, height, slope)
+    }
+
+    /// The same in fewer parts or more of each deviation.
+    pub fn in_parts(
+        parts: usize,
+        [mean, deviation]: [f64; 2],
+        breaks: &[f64],
+        height: impl Fn(f64) -> f64,
+        slope: impl Fn(f64) -> f64,
+    ) -> Self {
         let part = |value: f64, share: f64| Part { value, share, height: height(value), scale: slope(value) };
         if deviation <= 0.0 {
             return Self { parts: vec![part(mean, 1.0)] };
         }
-        let even = (0..=(2.0 * FAR * PARTS) as usize).map(|index| index as f64 / PARTS - FAR);
+        let even = (0..=2 * FAR as usize * parts).map(|index| index as f64 / parts as f64 - FAR);
         let inner = breaks.iter().map(|at| (at - mean) / deviation).filter(|at| at.abs() < FAR);
         let mut ends: Vec<f64> = even.chain(inner).collect();
         ends.sort_by(f64::total_cmp);
@@ -121,8 +132,8 @@ impl Transferred {
         rates
     }
 
-    /// The share of each part in the heights that are seen, for the sum of Smith's Λ of view and light, where both areas
-    /// and hiding go with |g′|: differences of F(h) = P(h) V(h). They sum to 1.
+    /// The share of each part in the heights that are seen, for the sum of Smith's Λ of view and light, where areas and
+    /// hiding go with |g′|: differences of F(h) = P(h) V(h). They sum to 1.
     pub fn visible_heights(&self, lambda: f64) -> Vec<f64> {
         let hiding = self.hiding(1.0);
         let (mut above, mut shares) = (0.0, vec![0.0; self.parts.len()]);

@@ -5,7 +5,10 @@ pub mod grid;
 mod lattice;
 pub(crate) mod learned;
 pub(crate) mod rice;
+mod rule;
 pub(crate) mod slope_map;
+pub mod slope_nodes;
+mod slope_steps;
 pub(crate) mod strip;
 
 /// How a table's texels are stored.

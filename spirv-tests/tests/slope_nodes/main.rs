@@ -1,3 +1,4 @@
 //! Slopes of transferred heights: the mixture over scales and the nodes that stand for it.
 
 mod references;
+mod rule;

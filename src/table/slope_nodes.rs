@@ -1,0 +1,279 @@
+//! Tables of the nodes that stand for the slopes of a transferred height, over the mean and the deviation of f.
+//!
+//! Where the curve has level pieces the first node is they: the scale 0, with the share of the surface that is level.
+//! The others are Gauss's rule of |g′| over the rest. A rule of all |g′| puts a node near 0, not on it, and misses the
+//! step at the slope 0 by half of the level share.
+
+use super::grid::{Axis, Spacing};
+use super::lattice::{half_rounded, rows, Lattice};
+use super::rule::rule;
+use super::slope_steps::step_error;
+use super::Table;
+use crate::reference::slope_nodes::{Part, Transferred};
+use crate::transfer::height_transfer::HeightTransfer;
+
+/// How far hiding follows |g′|: the share that keeps steps of slopes in sight closest to ray-cast fields from 60 to 85
+/// degrees, as `spirv-tests/tests/slope_nodes/gap.rs` has it.
+pub const FOLLOWS: f64 = 0.25;
+
+/// Slopes below this part of the steepest are level.
+const LEVEL: f64 = 1e-9;
+
+/// Parts of a deviation, for nodes.
+const PARTS: usize = 16;
+
+/// The Λ at which the share of a node that is hidden is exact.
+const EXACT: [f64; 2] = [0.5, 2.0];
+
+/// The spreads that a shader takes.
+const SPREADS: [f64; 2] = [0.02, 64.0];
+
+/// What is stored of the nodes, a slice each.
+const SLICES: usize = 4;
+
+/// One node.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Node {
+    /// What the slopes of f are multiplied by.
+    pub scale: f64,
+    /// The share of the surface.
+    pub weight: f64,
+    /// How fast it is hidden while Λ is small.
+    pub rate: f64,
+    /// How much slower later: (1 + Λ spread)^(−rate/spread) is not hidden.
+    pub spread: f64,
+}
+
+/// A curve and the nodes that stand for its slopes.
+#[derive(Clone, Copy, Debug)]
+pub struct Nodes<'a> {
+    /// The curve.
+    pub curve: &'a HeightTransfer,
+    /// Nodes, from 1 to 4, that of level pieces among them.
+    pub count: usize,
+    /// Nodes keep the sign of g′, which matters where f has a mean slope and the curve rises and falls.
+    pub signed: bool,
+}
+
+impl Nodes<'_> {
+    /// The surface over a normal f.
+    pub fn surface(&self, parts: usize, mean: f64, deviation: f64) -> Transferred {
+        let curve = self.curve;
+        Transferred::in_parts(parts, [mean, deviation], &self.breaks(), |f| curve.height(f), |f| curve.slope(f))
+    }
+
+    /// The values between which the curve is smooth.
+    fn breaks(&self) -> Vec<f64> {
+        let pieces = self.curve.pieces().unwrap_or_default().iter();
+        pieces.map(|piece| piece.to).filter(|to| to.is_finite()).chain([0.0]).collect()
+    }
+
+    /// Whether the curve has level pieces, for which the first node is kept.
+    fn has_level(&self) -> bool {
+        let mut pieces = self.curve.pieces().unwrap_or_default().iter();
+        pieces.any(|piece| piece.coefficients[1..].iter().all(|coefficient| *coefficient == 0.0))
+    }
+
+    /// The nodes over a normal f; those that are not needed have the weight 0.
+    pub fn over(&self, mean: f64, deviation: f64) -> [Node; 4] {
+        let surface = self.surface(PARTS, mean, deviation);
+        let rates = surface.rates(FOLLOWS);
+        let steepest = surface.parts.iter().map(|part| part.scale.abs()).fold(0.0, f64::max);
+        let has_level = self.has_level();
+        let level = |part: &Part| has_level && part.scale.abs() <= LEVEL * steepest;
+        let of = |part: &Part| if self.signed { part.scale } else { part.scale.abs() };
+        let mut nodes = [Node { spread: 1.0, rate: 1.0, ..Node::default() }; 4];
+        let mut next = 0;
+        if has_level {
+            let share = |(part, rate): (&Part, &f64)| (if level(part) { part.share } else { 0.0 }, *rate);
+            let shares: Vec<(f64, f64)> = surface.parts.iter().zip(&rates).map(share).collect();
+            nodes[0] = hidden(0.0, &shares);
+            next = 1;
+        }
+        let mut rest: Vec<(f64, f64, f64)> = surface
+            .parts
+            .iter()
+            .zip(&rates)
+            .filter(|(part, _)| !level(part))
+            .map(|(p, r)| (of(p), p.share, *r))
+            .collect();
+        rest.sort_by(|one, other| one.0.total_cmp(&other.0));
+        let whole: f64 = rest.iter().map(|value| value.1).sum();
+        if whole <= 0.0 {
+            let scale = self.nearest_scale(mean);
+            nodes[next..self.count].iter_mut().for_each(|node| node.scale = scale);
+            return nodes;
+        }
+        let values: Vec<(f64, f64)> = rest.iter().map(|value| (value.0, value.1)).collect();
+        let mut from = 0.0;
+        for [scale, weight] in rule(&values, self.count - next) {
+            // The values that a node stands for are next to each other in order: it lies between the least and the
+            // most.
+            let to = from + weight * whole;
+            let mut below = 0.0;
+            let within = rest.iter().map(|&(_, share, rate)| {
+                let part = (below + share).clamp(from, to) - below.clamp(from, to);
+                below += share;
+                (part, rate)
+            });
+            let within: Vec<(f64, f64)> = within.collect();
+            nodes[next] = hidden(scale, &within);
+            nodes[next].weight = weight * whole;
+            (next, from) = (next + 1, to);
+        }
+        nodes
+    }
+
+    /// The scale on the side that is not level of the bend nearest to a value.
+    fn nearest_scale(&self, mean: f64) -> f64 {
+        let mut breaks = self.breaks();
+        breaks.sort_by(|one, other| (one - mean).abs().total_cmp(&(other - mean).abs()));
+        let beside = breaks.iter().flat_map(|at| {
+            let step = 1e-6 * (1.0 + at.abs());
+            [at - step, at + step].map(|at| self.curve.slope(at))
+        });
+        let scale = beside.into_iter().find(|scale| *scale != 0.0).unwrap_or(0.0);
+        if self.signed {
+            scale
+        } else {
+            scale.abs()
+        }
+    }
+}
+
+/// A node of parts of the surface, each with how fast it is hidden.
+fn hidden(scale: f64, parts: &[(f64, f64)]) -> Node {
+    let weight: f64 = parts.iter().map(|part| part.0).sum();
+    if weight <= 1e-12 {
+        return Node { scale, weight: 0.0, rate: 1.0, spread: 1.0 };
+    }
+    let bits = |lambda: f64| {
+        let seen: f64 = parts.iter().map(|(share, rate)| share * (-lambda * rate).exp()).sum();
+        -(seen / weight).ln().min(0.0)
+    };
+    let [less, more] = EXACT.map(bits);
+    // ln(1 + Λ spread) at both Λ are as the logarithms of what is left: their ratio falls from 4 to 1 as spread grows.
+    let ratio = |spread: f64| (EXACT[1] * spread).ln_1p() / (EXACT[0] * spread).ln_1p();
+    let [mut low, mut high] = SPREADS;
+    for _ in 0..40 {
+        let middle = (low * high).sqrt();
+        if ratio(middle) * less > more {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    let spread = (low * high).sqrt();
+    // Where the spread ends, the larger Λ counts.
+    Node { scale, weight, rate: more * spread / (EXACT[1] * spread).ln_1p(), spread }
+}
+
+/// Columns and rows between which a table is judged: one in so many.
+const JUDGED: [usize; 2] = [3, 4];
+
+/// The table of the nodes: columns are means of f, rows its deviations, slices scales, weights, rates and spreads.
+///
+/// Its error is the largest that a step over the slopes in sight was measured to be off, at any view above 85 degrees
+/// from the normal: of the nodes themselves and of reading between texels together, for deviations of f from the
+/// distance of two columns on. Below it a bend of the curve is as wide as that distance.
+pub fn table(nodes: Nodes<'_>, means: Axis, deviations: Axis, name: &str) -> Table {
+    let line = |row: usize| {
+        // A deviation of 0 is the limit: level or not, and the rule of a narrow distribution.
+        let least = 0.25 * deviations.value(1.0);
+        let deviation = deviations.value(row as f64).max(least);
+        let texel = |column: usize| nodes.over(means.value(column as f64), deviation);
+        let texels: Vec<[Node; 4]> = (0..means.count).map(texel).collect();
+        let parts: [fn(&Node) -> f64; SLICES] = [|n| n.scale, |n| n.weight, |n| n.rate, |n| n.spread];
+        parts.iter().flat_map(|part| texels.iter().flatten().map(|node| half_rounded(part(node)))).collect()
+    };
+    let lines = rows(deviations.count, line);
+    let stride = 4 * means.count;
+    let slice = |slice: usize| (0..deviations.count).map(move |row| (row * SLICES + slice) * stride);
+    let texels: Vec<f32> = (0..SLICES).flat_map(slice).flat_map(|at| lines[at..at + stride].iter().copied()).collect();
+    let lattice = Lattice([means, deviations, Axis { low: 0.0, high: 3.0, count: SLICES, spacing: Spacing::Linear }]);
+    let error = error(nodes, lattice, &texels);
+    lattice.table(name, texels, error)
+}
+
+/// The largest step error between the texels.
+fn error(nodes: Nodes<'_>, lattice: Lattice, texels: &[f32]) -> f32 {
+    let Lattice([means, deviations, _]) = lattice;
+    let square = |row: usize| {
+        let deviation = deviations.value(row as f64);
+        let of = |column: usize| nodes.surface(1, means.value(column as f64), deviation);
+        let squares = (0..means.count).map(|column| of(column).average(|part| part.scale * part.scale));
+        vec![squares.fold(0.0, f64::max) as f32]
+    };
+    let steepest = f64::from(rows(deviations.count, square).into_iter().fold(0.0, f32::max)).sqrt();
+    let column = means.value(1.0) - means.value(0.0);
+    let halves = (1..2 * deviations.count - 1).rev().map(|half| deviations.value(0.5 * half as f64));
+    let lines: Vec<f64> = halves.filter(|&deviation| deviation >= column).step_by(JUDGED[1]).chain([column]).collect();
+    let worst = |line: usize| {
+        let columns = (line % JUDGED[0]..means.count - 1).step_by(JUDGED[0]).map(|cell| means.value(cell as f64 + 0.5));
+        let errors = columns.map(|mean| {
+            let slices: [[f64; 4]; SLICES] =
+                std::array::from_fn(|slice| lattice.filtered(texels, [mean, lines[line], slice as f64]));
+            let [scales, weights, rates, spreads] = slices;
+            let read = std::array::from_fn(|node| Node {
+                scale: scales[node],
+                weight: weights[node],
+                rate: rates[node],
+                spread: spreads[node],
+            });
+            step_error(&nodes.surface(PARTS, mean, lines[line]), &read, steepest)
+        });
+        vec![errors.fold(0.0, f64::max) as f32]
+    };
+    rows(lines.len(), worst).into_iter().fold(0.0, f32::max)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What the notes behind the crate have as Gauss's rule of |g′|, for a surface of which a third is level: the step
+    /// at the slope 0 is off by up to half of it, however many nodes there are.
+    #[test]
+    fn a_rule_of_all_slopes_misses_level_ground() -> Result<(), crate::Error> {
+        let curve = HeightTransfer::smoothstep(-1.0, 1.0)?;
+        let surface = Nodes { curve: &curve, count: 4, signed: false }.surface(64, 0.0, 1.0);
+        let values: Vec<(f64, f64)> = surface.parts.iter().map(|part| (part.scale.abs(), part.share)).collect();
+        let mut sorted = values.clone();
+        sorted.sort_by(|one, other| one.0.total_cmp(&other.0));
+        let steepest = surface.average(|part| part.scale * part.scale).sqrt();
+        for count in 2..=4 {
+            let mut nodes = [Node { spread: 1.0, ..Node::default() }; 4];
+            for (node, [scale, weight]) in nodes.iter_mut().zip(rule(&sorted, count)) {
+                (node.scale, node.weight) = (scale, weight);
+            }
+            assert!(step_error(&surface, &nodes, steepest) > 0.08, "{count}: {nodes:?}");
+            let ours = Nodes { curve: &curve, count, signed: false }.over(0.0, 1.0);
+            assert!(step_error(&surface, &ours, steepest) < [0.1, 0.03, 0.02][count - 2], "{count}: {ours:?}");
+        }
+        Ok(())
+    }
+
+    #[test]
+    fn weights_sum_to_one_and_nodes_stay_finite() -> Result<(), crate::Error> {
+        let curves = [
+            HeightTransfer::smoothstep(0.0, 1.0)?,
+            HeightTransfer::absolute(),
+            HeightTransfer::terraces(3, 0.4)?,
+            HeightTransfer::power(1.5)?,
+            HeightTransfer::knots([(0.0, 0.3)])?,
+            HeightTransfer::knots([(0.0, 0.0), (0.5, 1.0), (0.6, 0.2)])?,
+        ];
+        for curve in &curves {
+            for signed in [false, true] {
+                for (mean, deviation) in [(0.0, 0.0), (0.5, 1e-5), (0.51, 0.02), (-3.0, 0.1), (0.2, 0.7), (40.0, 1.0)] {
+                    let nodes = Nodes { curve, count: 3, signed }.over(mean, deviation);
+                    let sum: f64 = nodes.iter().map(|node| node.weight).sum();
+                    assert!((sum - 1.0).abs() < 1e-9, "{mean}, {deviation}: {nodes:?}");
+                    let fine = |n: &Node| n.scale.is_finite() && n.weight >= 0.0 && n.rate >= 0.0 && n.rate.is_finite();
+                    assert!(nodes.iter().all(fine), "{nodes:?}");
+                }
+            }
+        }
+        Ok(())
+    }
+}

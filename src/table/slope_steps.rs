@@ -1,0 +1,66 @@
+//! How far steps over the slopes in sight of a transferred surface are, by nodes, from those by all its parts.
+
+use super::slope_nodes::{Node, FOLLOWS};
+use crate::reference::normal::{cumulative, density};
+use crate::reference::slope_nodes::Transferred;
+
+/// Degrees of the views from the normal.
+const VIEWS: [f64; 4] = [0.0, 45.0, 75.0, 85.0];
+
+/// The deviation of the slopes of h where they are steepest: with the views they have visibility parameters from 0.17.
+const DEVIATION: f64 = 0.5;
+
+/// Edges on each side of the slope 0, even in their logarithm from the first, in that deviation.
+const EDGES: usize = 14;
+const FIRST: f64 = 0.004;
+const LAST: f64 = 3.0;
+
+/// Shares of the surface with their scales.
+type Shares = Vec<(f64, f64)>;
+
+/// The largest difference over all views and edges between nodes and parts, `steepest` being the root of the mean g′²
+/// where that is largest.
+pub(super) fn step_error(surface: &Transferred, nodes: &[Node; 4], steepest: f64) -> f64 {
+    let deviation = DEVIATION / steepest.max(1e-12);
+    let side = (0..EDGES).map(|edge| FIRST * (LAST / FIRST).powf(edge as f64 / (EDGES - 1) as f64));
+    let edges: Vec<f64> = side.flat_map(|edge| [-DEVIATION * edge, DEVIATION * edge]).collect();
+    let rates = surface.rates(FOLLOWS);
+    let parts: Shares = surface.parts.iter().map(|part| (deviation * part.scale.abs(), part.share)).collect();
+    let few: Shares = nodes.iter().map(|node| (deviation * node.scale.abs(), node.weight)).collect();
+    let truth = below(&parts, &edges, |lambda, part| (-lambda * rates[part]).exp());
+    let found = below(&few, &edges, |lambda, node| {
+        let Node { rate, spread, .. } = nodes[node];
+        (-rate / spread * (lambda * spread).ln_1p()).exp()
+    });
+    truth.iter().zip(found).map(|(truth, found)| (truth - found).abs()).fold(0.0, f64::max)
+}
+
+/// The shares in sight below each edge, for each view.
+fn below(shares: &Shares, edges: &[f64], seen: impl Fn(f64, usize) -> f64) -> Vec<f64> {
+    let ends = |deviation: f64, edge: f64| {
+        let z = edge / deviation.max(1e-12);
+        (cumulative(z), density(z))
+    };
+    let known: Vec<Vec<(f64, f64)>> =
+        shares.iter().map(|share| edges.iter().map(|&edge| ends(share.0, edge)).collect()).collect();
+    let view = |degrees: f64| {
+        let (sin, cos) = libm::sincos(degrees.to_radians());
+        // E[max(t, 0)] of t = cos − sin · slope, over slopes below an edge or below where they face away.
+        let horizon = cos / sin.max(1e-12);
+        let part = |deviation: f64, (probability, density): (f64, f64)| cos * probability + sin * deviation * density;
+        let areas: Vec<f64> = shares.iter().map(|share| part(share.0, ends(share.0, horizon))).collect();
+        let whole: f64 = shares.iter().zip(&areas).map(|(share, area)| share.1 * area).sum();
+        let lambda = (whole / (cos * shares.iter().map(|share| share.1).sum::<f64>()) - 1.0).max(0.0);
+        let weights: Vec<f64> = shares.iter().enumerate().map(|(index, share)| share.1 * seen(lambda, index)).collect();
+        let all: f64 = weights.iter().zip(&areas).map(|(weight, area)| weight * area).sum();
+        let below = |(number, &edge): (usize, &f64)| {
+            let each = (0..shares.len()).map(|index| {
+                let area = if edge < horizon { part(shares[index].0, known[index][number]) } else { areas[index] };
+                weights[index] * area
+            });
+            each.sum::<f64>() / all
+        };
+        edges.iter().enumerate().map(below).collect::<Vec<_>>()
+    };
+    VIEWS.into_iter().flat_map(view).collect()
+}
