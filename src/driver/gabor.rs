@@ -115,10 +115,8 @@ impl Gabor {
         let body = format!(
             "    // In cells, whose side is {SIDE} of one over the bandwidth.
     let scale = {:?};
-    let right = clamp(across * scale, vec3f(-1e8), vec3f(1e8));
-    let down = clamp(along * scale, vec3f(-1e8), vec3f(1e8));
-    let footprint = gabor_covered(right, down);
-    let spectrum = gabor_spectrum({}, {}, {});
+    let footprint = gabor_covered(across * scale, along * scale);
+    let spectrum = gabor_spectrum_of({}, {}, {});
 {}{}",
             (f64::from(self.bandwidth) / SIDE) as f32,
             pair(polar.frequency),
@@ -181,8 +179,7 @@ impl Gabor {
         match self.method {
             GaborMethod::Exact => format!(
                 "    let noise = gabor_noise(position * scale, {kernels}u, {seed}u, spectrum, footprint);
-    let slopes = vec2f(dot(noise.yzw, right), dot(noise.yzw, down));
-    let variance = {variance:?} * gabor_spectrum_variance(retained, slopes);
+    let variance = {variance:?} * gabor_spectrum_variance(retained, noise.yz);
     return vec4f({mean:?} + {deviation:?} * noise.x, variance, 0.0, 0.0);
 "
             ),

@@ -71,28 +71,64 @@ pub fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
-/// The vectors of I − M, M being (I + 2π a² Σ)⁻¹, the factor L = (x, y; 0, z) of the inverse of I + 2π a² JᵀJ, √|M|
-/// and the square of how far a kernel reaches along the longest axis.
-///
-/// The first vector is that of the footprint without `along`, the second what `along` adds.
-pub fn factored([across, along]: [[f64; 3]; 2]) -> [f64; 11] {
+/// The angle by which a footprint's vectors are turned, and turned: until the second has no third part, and the first
+/// a positive one, if any is more than nothing.
+fn level([across, along]: [[f64; 3]; 2]) -> (f64, [[f64; 3]; 2]) {
+    let steep = TAU.sqrt() * BANDWIDTH * libm::hypot(across[2], along[2]) > 1e-15;
+    let angle = if steep { libm::atan2(along[2], across[2]) } else { 0.0 };
+    let (sin, cos) = libm::sincos(angle);
+    let first = [0, 1, 2].map(|axis| cos * across[axis] + sin * along[axis]);
+    let [x, y] = [0, 1].map(|axis| cos * along[axis] - sin * across[axis]);
+    (angle, [first, [x, y, 0.0]])
+}
+
+/// The columns of N with N Nᵀ = I − M, M being (I + 2π a² Σ)⁻¹: the second is that of the level vector alone, the first
+/// what the other adds.
+pub fn columns(footprint: [[f64; 3]; 2]) -> [[f64; 3]; 2] {
+    let (_, [first, second]) = level(footprint);
     let metric = |footprint| inverse(grown(footprint));
-    let [none, one, both] = [[[0.0; 3]; 2], [across, [0.0; 3]], [across, along]].map(metric);
+    let [none, one, both] = [[[0.0; 3]; 2], [second, [0.0; 3]], [first, second]].map(metric);
     // The vector v of a difference v vᵀ of two matrices, on whose line `toward` has a part.
     let difference = |from: [[f64; 3]; 3], to: [[f64; 3]; 3], toward: [f64; 3]| {
         let image: [f64; 3] = std::array::from_fn(|row| product(from[row], toward) - product(to[row], toward));
         let length = product(image, toward).max(0.0).sqrt();
         image.map(|part| if length > 0.0 { part / length } else { 0.0 })
     };
-    let ([a, b, c], [d, e, f]) = (difference(none, one, across), difference(one, both, along));
+    [difference(one, both, first), difference(none, one, second)]
+}
+
+/// The columns of F with (across along)ᵀM = F Nᵀ/(2π a²).
+///
+/// F Fᵀ/(2π a²) is the inverse of I + 2π a² JᵀJ, J having the columns across and along; turned back, F is triangular.
+pub fn factor(footprint: [[f64; 3]; 2]) -> [f64; 4] {
+    let (angle, [first, second]) = level(footprint);
     let narrow = TAU * BANDWIDTH * BANDWIDTH;
-    let gram = [product(across, across), product(across, along), product(along, along)].map(|part| narrow * part);
-    let flat = inverse([[1.0 + gram[0], gram[1], 0.0], [gram[1], 1.0 + gram[2], 0.0], [0.0, 0.0, 1.0]]);
-    let z = flat[1][1].sqrt();
-    let y = flat[0][1] / z;
-    let x = (flat[0][0] - y * y).max(0.0).sqrt();
-    let volume = product(both[0], cross(both[1], both[2]));
-    [a, b, c, d, e, f, x, y, z, volume.sqrt(), REACH * REACH * longest(grown([across, along]))]
+    let [uu, uv, vv] = [product(first, first), product(first, second), product(second, second)].map(|x| narrow * x);
+    let flat = inverse([[1.0 + uu, uv, 0.0], [uv, 1.0 + vv, 0.0], [0.0, 0.0, 1.0]]).map(|row| row.map(|x| narrow * x));
+    let x = flat[0][0].sqrt();
+    let y = flat[0][1] / x;
+    let z = (flat[1][1] - y * y).max(0.0).sqrt();
+    let (sin, cos) = libm::sincos(angle);
+    [cos * x - sin * y, sin * x + cos * y, -sin * z, cos * z]
+}
+
+/// Sum and product of the two eigenvalues of I − M that are not 0.
+pub fn eigenvalues(footprint: [[f64; 3]; 2]) -> [f64; 2] {
+    let inverse = inverse(grown(footprint));
+    let trace = (0..3).map(|axis| 1.0 - inverse[axis][axis]).sum::<f64>();
+    // (1 − p)(1 − q) = 1 − p − q + p q, of the eigenvalues 1 − p and 1 − q.
+    [trace, trace - 1.0 + density(footprint).powi(2)]
+}
+
+/// √|M|: what the largest value of a filtered kernel is.
+pub fn density(footprint: [[f64; 3]; 2]) -> f64 {
+    let [x, y, z] = inverse(grown(footprint));
+    product(x, cross(y, z)).sqrt()
+}
+
+/// The square of how far a kernel reaches along the longest axis.
+pub fn farthest(footprint: [[f64; 3]; 2]) -> f64 {
+    REACH * REACH * longest(grown(footprint))
 }
 
 /// The largest eigenvalue of a symmetric matrix whose eigenvalues are positive, by squaring it again and again.

@@ -22,6 +22,12 @@ fn place([start, extent]: [f64; 2], bits: u32) -> f64 {
 }
 
 impl Spectrum {
+    /// Of each range the middle of the first of its 65536 shares, and how far the next is.
+    pub fn shares(&self) -> [f64; 6] {
+        let [f, a, h] = [self.frequency, self.azimuth, self.height].map(|range| [place(range, 0), place(range, 1)]);
+        [f[0], f[1] - f[0], a[0], a[1] - a[0], h[0], h[1] - h[0]]
+    }
+
     /// The frequency of a kernel with these random words.
     pub fn frequency(&self, words: [u32; 2]) -> [f64; 3] {
         let [azimuth, height] = [place(self.azimuth, words[0] >> 16), place(self.height, words[0] & 0xffff)];

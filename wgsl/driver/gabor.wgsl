@@ -10,7 +10,8 @@
 //     √|M| exp(−π a² rᵀM r − (π/a²) ωᵀ(I − M)ω) cos(2π ωᵀM r + φ)
 //
 // No tangent frame, no normal, and the value is the same on both sides of an edge where the footprints are. I − M is
-// l lᵀ + m mᵀ with two vectors (`first` and `second`): what M does to r and ω takes their products with these alone.
+// N Nᵀ with a matrix N of two columns (`first` and `second`): what M does to r and ω takes their products with these
+// alone, and what the noise's gradient is along the footprint follows from its products with them, too.
 //
 // Lengths are in cells, whose side is `gabor_bandwidth` of 1/a. A kernel counts where rᵀM r is below the square of
 // `gabor_reach`; the 4³ cells about a point hold all of them for a point footprint, and cut what a long footprint
@@ -23,103 +24,120 @@ const gabor_bandwidth = 0.8;
 /// How far a kernel reaches, in cells: exp(−π a² reach²) = 0.011.
 const gabor_reach = 1.5;
 
-/// What the sum of kernels needs of a footprint, by `gabor_covered`.
+/// What the noise needs of a footprint, by `gabor_covered`.
 struct gabor_footprint {
-    /// l and m of I − M = l lᵀ + m mᵀ.
+    /// The columns of N, of which I − M = N Nᵀ; the third number of the second is 0.
     first: vec3f,
-    second: vec3f,
-    /// The factor L = (x, y; 0, z) of (I + 2π a² JᵀJ)⁻¹ = L Lᵀ, J having the columns across and along.
-    factor: vec3f,
+    second: vec2f,
+    /// F by its columns: (across along)ᵀ M = F Nᵀ/(2π a²).
+    factor: vec4f,
+    /// Sum and product of the two eigenvalues of I − M.
+    trace: f32,
+    area: f32,
     /// √|M|.
     density: f32,
     /// Square of how far from the point a kernel can count.
     farthest: f32,
 }
 
-/// What the sum of kernels needs of the footprint of covariance across acrossᵀ + along alongᵀ, in cells.
+/// What the noise needs of the footprint of covariance across acrossᵀ + along alongᵀ, in cells.
 ///
-/// Vectors beyond 1e8 cells count as 1e8.
+/// Vectors beyond 1e8 cells count as 1e8, third numbers that are both below 1e-15 as 0.
 ///
-/// Source: Woodbury's identity, I − M = 2π a² J (I + 2π a² JᵀJ)⁻¹ Jᵀ, with the Cholesky factor of the inverse.
+/// Source: Woodbury's identity, I − M = 2π a² J (I + 2π a² JᵀJ)⁻¹ Jᵀ, J having the columns across and along, turned
+/// until the second is level, with the Cholesky factor of the inverse.
 /// Domain: across in [-1, 1], along in [-1, 1].
 /// Error: 5e-7 of 1 + the result; f32 rounding.
 fn gabor_covered(across: vec3f, along: vec3f) -> gabor_footprint {
-    let width = 2.00530262; // √(2π) a
-    let a = clamp(across, vec3f(-1e8), vec3f(1e8)) * width;
-    let b = clamp(along, vec3f(-1e8), vec3f(1e8)) * width;
-    let normal = cross(a, b);
-    // The determinant of I + JᵀJ as a sum of squares: the product of its diagonal less a square would lose it.
+    let u = clamp(across, vec3f(-1e8), vec3f(1e8));
+    let v = clamp(along, vec3f(-1e8), vec3f(1e8));
+    let steep = vec2f(u.z, v.z);
+    let square = dot(steep, steep);
+    // √(2π) a times a turn.
+    let turn = 2.00530262 * select(vec2f(1.0, 0.0), steep * inverseSqrt(square), square > 1e-30);
+    let a = turn.x * u + turn.y * v;
+    let b = turn.x * v.xy - turn.y * u.xy;
     let squares = vec2f(dot(a, a), dot(b, b));
-    let determinant = 1.0 + squares.x + squares.y + dot(normal, normal);
-    let grown = 1.0 + squares.x;
-    let shear = dot(a, b) / grown;
-    let ends = vec2f(inverseSqrt(grown), sqrt(grown) * inverseSqrt(determinant));
-    let longest = 0.5 * (squares.x + squares.y + length(vec2f(squares.x - squares.y, 2.0 * dot(a, b))));
+    let both = dot(a.xy, b);
+    let sum = squares.x + squares.y;
+    // The determinant of JᵀJ as a sum of squares: the product of its diagonal less a square would lose it.
+    let level = a.x * b.y - a.y * b.x;
+    let area = a.z * a.z * squares.y + level * level;
+    let density = inverseSqrt(1.0 + sum + area);
+    let share = density * density;
+    let grown = 1.0 + squares.y;
+    let end = inverseSqrt(grown);
+    let start = grown * end * density;
+    let shear = both * end * end;
+    let longest = 0.5 * (sum + length(vec2f(squares.x - squares.y, 2.0 * both)));
     return gabor_footprint(
-        a * ends.x,
-        (b - shear * a) * ends.y,
-        vec3f(ends.x, -shear * ends.y, ends.y),
-        inverseSqrt(determinant),
+        start * (a - vec3f(shear * b, 0.0)),
+        end * b,
+        vec4f(start * vec2f(turn.x + shear * turn.y, turn.y - shear * turn.x), end * vec2f(-turn.y, turn.x)),
+        share * (sum + 2.0 * area),
+        share * area,
+        density,
         gabor_reach * gabor_reach * (1.0 + longest),
     );
 }
 
-/// The kernels of one cell, added up, as a point sees them that is `apart` from the cell's low corner: (value, g).
+/// A sum of kernels with those of one cell, as a point sees them that is `apart` from the cell's low corner:
+/// (value, Nᵀg), by `gabor_kernel`.
 ///
 /// `words` are the cell's own, by `gabor_kernel_words`.
 ///
 /// Source: as `gabor_kernel`, with a fixed number of kernels a cell: it varies less than Poisson's.
-/// Domain: apart in [-1, 2], words integer in [0, 4294967295], kernels integer in [1, 4], spectrum.frequency in [0, 2],
-/// spectrum.azimuth in [-3, 3], spectrum.height in [-0.5, 0.5], footprint from gabor_covered.
-/// Error: 2e-6 absolute; f32 rounding of phases.
+/// Domain: sum in [-1, 1], apart in [-1, 2], words integer in [0, 4294967295], kernels integer in [1, 4],
+/// spectrum from gabor_spectrum_of, footprint from gabor_covered.
+/// Error: 5e-6 absolute; f32 rounding of phases.
 fn gabor_cell(
+    sum: vec3f,
     apart: vec3f,
     words: vec3u,
     kernels: u32,
     spectrum: gabor_spectrum,
     footprint: gabor_footprint,
-) -> vec4f {
+) -> vec3f {
     var next = words;
-    var sum = vec4f();
+    var all = sum;
     for (var number = 0u; number < min(kernels, 64u); number++) {
         next = hash_triple(next);
-        sum += gabor_kernel(apart - gabor_kernel_place(next.x), next.yz, spectrum, footprint);
+        all = gabor_kernel(all, apart - gabor_kernel_place(next.x), next.yz, spectrum, footprint);
     }
-    return sum;
+    return all;
 }
 
-/// Noise filtered over a footprint about a point, and its gradient, both in cells: (value, gradient).
+/// Noise filtered over a footprint about a point, in cells, and its derivatives along the footprint's two vectors:
+/// (value, derivatives).
 ///
 /// A cell has `kernels` kernels, whose places, frequencies and phases are hashed from the cell and `seed`. Positions
 /// beyond 1e9 cells count as 1e9.
 ///
 /// Source: Lagae and Drettakis 2011, equation 11.
 /// Domain: position in [-1000, 1000], kernels integer in [1, 2], seed integer in [0, 4294967295],
-/// spectrum.frequency in [0, 2], spectrum.azimuth in [-3, 3], spectrum.height in [-0.5, 0.5],
-/// footprint from gabor_covered.
-/// Error: 2e-5 absolute; f32 rounding of gradients up to 10.
+/// spectrum from gabor_spectrum_of, footprint from gabor_covered.
+/// Error: 5e-6 absolute; f32 rounding of phases.
 fn gabor_noise(
     position: vec3f,
     kernels: u32,
     seed: u32,
     spectrum: gabor_spectrum,
     footprint: gabor_footprint,
-) -> vec4f {
+) -> vec3f {
     let p = clamp(position, vec3f(-1e9), vec3f(1e9));
     let corner = floor(p - 0.5) - 1.0;
-    var sum = vec4f();
+    let within = p - corner;
+    let words = gabor_kernel_words(vec3i(corner), seed);
+    var sum = vec3f();
     for (var index = 0u; index < 64u; index++) {
         let offset = vec3u(index & 3u, (index >> 2u) & 3u, index >> 4u);
-        let apart = p - corner - vec3f(offset);
-        let outside = max(max(apart - 1.0, -apart), vec3f());
+        let apart = within - vec3f(offset);
+        let outside = apart - saturate(apart);
         if dot(outside, outside) < footprint.farthest {
-            let words = gabor_kernel_words(vec3i(corner), offset, seed);
-            sum += gabor_cell(apart, words, kernels, spectrum, footprint);
+            sum = gabor_cell(sum, apart, words + offset, kernels, spectrum, footprint);
         }
     }
     // Over all places and phases a kernel has the mean square ½ (2a²)^(-3/2).
-    let scale = 1.70185469 * inverseSqrt(f32(clamp(kernels, 1u, 64u)));
-    let g = sum.yzw;
-    let fall = g - footprint.first * dot(footprint.first, g) - footprint.second * dot(footprint.second, g);
-    return scale * vec4f(sum.x, -6.28318531 * fall);
+    sum *= footprint.density * 1.70185469 * inverseSqrt(f32(clamp(kernels, 1u, 64u)));
+    return vec3f(sum.x, -1.5625 * (footprint.factor.xy * sum.y + footprint.factor.zw * sum.z)); // 1/a²
 }

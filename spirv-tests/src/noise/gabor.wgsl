@@ -13,7 +13,7 @@ const cells = 1.5;
 
 // The sum of the kernels about a position, of the variance 1, and its gradient, both in cells.
 fn kernels(position: vec3f) -> vec4f {
-    let spectrum = gabor_spectrum(vec2f(frequency / cells, 0.0), vec2f(0.0, 6.28318531), vec2f(-1.0, 2.0));
+    let spectrum = gabor_spectrum_of(vec2f(frequency / cells, 0.0), vec2f(0.0, 6.28318531), vec2f(-1.0, 2.0));
     let corner = floor(position - 0.5) - 1.0;
     var sum = vec4f();
     for (var cell = 0u; cell < 64u; cell++) {
@@ -24,7 +24,7 @@ fn kernels(position: vec3f) -> vec4f {
         if dot(outside, outside) >= 2.25 {
             continue;
         }
-        var words = gabor_kernel_words(vec3i(corner), offset, 0u);
+        var words = gabor_kernel_words(vec3i(corner) + vec3i(offset), 0u);
         for (var kernel = 0; kernel < 2; kernel++) {
             words = hash_triple(words);
             let r = apart - gabor_kernel_place(words.x);

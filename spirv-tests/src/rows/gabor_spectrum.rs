@@ -16,6 +16,7 @@ pub(super) fn footprint(parts: &[f64]) -> [[f64; 3]; 2] {
 
 pub(super) fn rows() -> Vec<Row> {
     vec![
+        Row::new("gabor_spectrum_of", |x| spectrum(x).shares()),
         Row::new("gabor_spectrum_frequency", |x| spectrum(&x[2..]).frequency([x[0] as u32, x[1] as u32])),
         Row::new("gabor_spectrum_retained", |x| retained([x[0], x[1], x[2]], footprint(&x[3..]))),
         Row::new("gabor_spectrum_retained_evenly", |x| retained_evenly(x[0], footprint(&x[1..]))),

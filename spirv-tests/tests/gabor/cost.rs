@@ -2,7 +2,7 @@
 
 use prefilter::gpu::{Device, Dispatch, Work};
 use prefilter::reference::gabor::within;
-use prefilter::reference::gabor_kernel::{distance, factored, product, REACH};
+use prefilter::reference::gabor_kernel::{distance, farthest, product, REACH};
 use prefilter::{Gabor, GaborMethod, Module, Spectrum};
 use spirv_tests::random::Random;
 
@@ -10,6 +10,9 @@ use crate::{kernel, module, noise, place, Found, Outcome, CELL};
 
 /// The frequency of the noise for a bandwidth of 1.
 const FREQUENCY: f32 = 1.3;
+
+/// Kernels a cell of the count.
+const KERNELS: u32 = 2;
 
 /// The plain sum, for a number of kernels a cell.
 fn plain(kernels: u32) -> String {
@@ -49,7 +52,7 @@ fn fastest(all: &[Dispatch]) -> Found<Vec<f64>> {
 /// Kernels that a point sees in cells within reach: beyond the farthest, near, and counted; on average over points.
 fn seen(deviation: f64) -> [f64; 3] {
     let footprint = on(deviation / CELL);
-    let farthest = factored(footprint)[10];
+    let farthest = farthest(footprint);
     let mut random = Random::new(2);
     let mut classes = [0.0; 3];
     const POINTS: u32 = 200;
@@ -76,44 +79,36 @@ fn seen(deviation: f64) -> [f64; 3] {
     classes
 }
 
-/// Operations of a sum: cells, and of every kernel seen its hash and its place, whether it is then found too far, or
-/// near but not counted, or evaluated.
-fn counted(cost: &dyn Fn(&str) -> Found<usize>, kernels: f64, deviation: f64, parts: [&str; 5]) -> Found<f64> {
-    let [whole, cell, far, near, within] = parts;
-    let hash = cost("hash_triple")? + cost("gabor_kernel_place")? + 3;
-    // Cells are the same for all; what a sum has beyond the plain one's is at its end.
-    let beyond = cost(whole)? + cost("plain_cell")? - cost(cell)? - cost("plain_noise")?;
-    let mut sum = (64 * cost("plain_step")? + beyond) as f64;
-    for (count, part) in seen(deviation).into_iter().zip([far, near, within]) {
-        sum += kernels * count * (hash + cost(part)?) as f64;
-    }
-    Ok(sum)
+/// Operations of a function that sums kernels: its own and those of all cells, and of the kernels in cells within reach
+/// the hash and the place, whether one is then found too far, or near but not counted, or added.
+fn counted(cost: &dyn Fn(&str) -> Found<usize>, deviation: f64, [all, cell, kernel]: [&str; 3]) -> Found<f64> {
+    let (cell, kernel) = (cost(cell)?, cost(kernel)?);
+    // As written, each loop has one turn.
+    let own = cost(all)? - cell + 63 * cost("step")?;
+    let each = [cost("far")?, cost("near")?, kernel].map(|part| cell - kernel + part);
+    let kernels: f64 = seen(deviation).into_iter().zip(each).map(|(count, part)| count * part as f64).sum();
+    Ok(own as f64 + f64::from(KERNELS) * kernels)
 }
-
-/// The functions of [`counted`]: ours, and the plain sum without and with its gradient.
-const OURS: [&str; 5] = ["gabor_noise", "gabor_cell", "filtered_passed", "filtered_near", "gabor_kernel"];
-const VALUE: [&str; 5] = ["plain_noise", "plain_cell", "plain_passed", "plain_passed", "plain_kernel"];
-const STEEP: [&str; 5] = ["steep_noise", "steep_cell", "plain_passed", "plain_passed", "steep_kernel"];
 
 /// What filtering adds, and the variance with it. A plain sum that gives the gradient, too, is the like: filters of
 /// slopes need it, and the variance does.
 #[test]
 fn filtering_and_variance_add_few_operations() -> Outcome {
-    let module = module(noise(Spectrum::Isotropic { frequency: FREQUENCY }))?;
-    let shader = module.link(&plain(2))?;
+    let module = module(Gabor { kernels: KERNELS, ..noise(Spectrum::Isotropic { frequency: FREQUENCY }) })?;
+    let shader = module.link(&plain(KERNELS))?;
     let cost = |name: &str| -> Found<usize> {
         Ok(shader.cost(name).map(|cost| cost.operations).ok_or(format!("no `{name}`"))?)
     };
-    let once = ["gabor_covered", "gabor_spectrum_retained_evenly", "gabor_spectrum_variance"];
-    let once: usize = once.into_iter().map(cost).sum::<Found<usize>>()?;
+    let value = counted(&cost, 0.0, ["plain_value", "plain_cell", "plain_kernel"])?;
+    let steep = counted(&cost, 0.0, ["steep_value", "steep_cell", "steep_kernel"])?;
     let kernels = ["plain_kernel", "steep_kernel", "gabor_kernel"].map(cost);
-    println!("{once} operations once; a kernel, plain, with its gradient and ours: {kernels:?}");
-    for (deviation, most) in [(0.0, 1.15), (0.02, 1.15), (0.1, 1.2), (0.3, 1.5)] {
-        let ours = counted(&cost, 2.0, deviation, OURS)? + once as f64;
-        let [value, steep] = [VALUE, STEEP].map(|parts| counted(&cost, 2.0, 0.0, parts));
-        let (value, steep) = (ours / value?, ours / steep?);
+    println!("a point {value:.0}, with its gradient {steep:.0}; a kernel, with its gradient, filtered: {kernels:?}");
+    // Wider footprints stretch kernels, and more of them count.
+    for (deviation, most) in [(0.0, 1.15), (0.02, 1.15), (0.1, 1.2), (0.3, 2.0)] {
+        let ours = counted(&cost, deviation, ["wood_statistics", "gabor_cell", "gabor_kernel"])?;
         let [far, near, within] = seen(deviation);
         println!("σ {deviation}/a: {far:.1} far, {near:.1} near, {within:.1} counted of a kernel a cell");
+        let (value, steep) = (ours / value, ours / steep);
         println!("    {ours:.0} operations: of the value {value:.3}, of it with its gradient {steep:.3}");
         assert!(steep < most, "{deviation}: {steep}");
     }
