@@ -56,6 +56,23 @@ impl Histogram {
         [mean, variance.sqrt(), (third - mean * (3.0 * variance + mean * mean)) / variance.powf(1.5)]
     }
 
+    /// The shares below some rising heights, of a bin that holds one in proportion.
+    pub fn below(&self, heights: &[f64]) -> Vec<f64> {
+        let mut sums = Vec::with_capacity(BINS + 1);
+        let mut sum = 0.0;
+        sums.push(0.0);
+        for bin in &self.bins {
+            sum += bin / self.powers[0];
+            sums.push(sum);
+        }
+        let at = |height: &f64| {
+            let place = ((height + REACH) * (BINS as f64 / (2.0 * REACH))).clamp(0.0, BINS as f64 - 1e-6);
+            let bin = place as usize;
+            sums[bin] + place.fract() * (sums[bin + 1] - sums[bin])
+        };
+        heights.iter().map(at).collect()
+    }
+
     /// The largest difference between the share of these heights below a height and a cumulative function. What `all`
     /// heights of the same fields lack of a normal distribution is taken off: chance, which both have.
     pub fn step_error(&self, all: &Self, cumulative: impl Fn(f64) -> f64) -> f64 {

@@ -64,3 +64,4 @@ pub mod slopes;
 pub mod steepness;
 pub mod study;
 pub mod table;
+pub mod transfer;

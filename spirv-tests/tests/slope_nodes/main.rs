@@ -1,4 +1,5 @@
 //! Slopes of transferred heights: the mixture over scales and the nodes that stand for it.
 
+mod gap;
 mod references;
 mod rule;
