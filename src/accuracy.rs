@@ -40,7 +40,7 @@ impl Ranges {
         Self { mean, deviation: (0.5 * (high - low)).min(LARGEST) }
     }
 
-    /// The ranges of the values that a height transfer is applied to: those of [`HeightTransfer::over`], or its default.
+    /// The ranges of the values that a height transfer is applied to: those of [`HeightTransfer::over`] or its default.
     pub fn of_transfer(curve: &HeightTransfer) -> Self {
         if let Some((mean, deviation)) = curve.values() {
             return Self { mean, deviation };
