@@ -68,3 +68,25 @@ fn tables_know_their_error() -> Result<(), prefilter::Error> {
     }
     Ok(())
 }
+
+/// Where f has a mean slope and the curve falls and rises, a ridge has two sides: nodes without a sign have one.
+#[test]
+fn signs_keep_both_sides_of_a_ridge() -> Result<(), prefilter::Error> {
+    let curves = [
+        ("|f|", HeightTransfer::absolute(), 1e-6),
+        ("knots", HeightTransfer::knots([(-1.0, 0.0), (-0.5, 0.6), (0.3, 0.6), (1.0, 0.1)])?, 0.01),
+    ];
+    for (name, curve, most) in curves {
+        let along = Along { angle: 45f64.to_radians(), mean: 0.4, deviation: 0.3 };
+        let below = |surface: &Transferred| surface.below(along, &surface.shares(along, 0.0, 0.0), &edges());
+        let truth = below(&Nodes { curve: &curve, count: 4, signed: true }.surface(64, 0.2, 0.7));
+        let [signed, unsigned] = [true, false].map(|signed| {
+            let nodes = Nodes { curve: &curve, count: 3, signed }.over(0.2, 0.7);
+            let found = below(&few(nodes.map(|node| (node.scale, node.weight))));
+            found.iter().zip(&truth).map(|(one, other)| (one - other).abs()).fold(0.0, f64::max)
+        });
+        println!("{name}: with signs {signed:.4}, without {unsigned:.4}");
+        assert!(signed < most && unsigned > 0.2, "{name}: {signed}, {unsigned}");
+    }
+    Ok(())
+}
