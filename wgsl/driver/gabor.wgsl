@@ -89,7 +89,7 @@ fn gabor_covered(across: vec3f, along: vec3f) -> gabor_footprint {
 /// Source: as `gabor_kernel`, with a fixed number of kernels a cell: it varies less than Poisson's.
 /// Domain: sum in [-1, 1], apart in [-1, 2], words integer in [0, 4294967295], kernels integer in [1, 4],
 /// spectrum from gabor_spectrum_of, footprint from gabor_covered.
-/// Error: 5e-6 absolute; f32 rounding of phases.
+/// Error: 1e-5 absolute; f32 rounding of phases.
 fn gabor_cell(
     sum: vec3f,
     apart: vec3f,
@@ -111,12 +111,12 @@ fn gabor_cell(
 /// (value, derivatives).
 ///
 /// A cell has `kernels` kernels, whose places, frequencies and phases are hashed from the cell and `seed`. Positions
-/// beyond 1e9 cells count as 1e9.
+/// beyond 1e9 cells count as 1e9. Errors grow in proportion to frequencies beyond four cycles a cell, five bandwidths.
 ///
 /// Source: Lagae and Drettakis 2011, equation 11.
 /// Domain: position in [-1000, 1000], kernels integer in [1, 2], seed integer in [0, 4294967295],
 /// spectrum from gabor_spectrum_of, footprint from gabor_covered.
-/// Error: 5e-6 absolute; f32 rounding of phases.
+/// Error: 8e-6 absolute; f32 rounding of phases.
 fn gabor_noise(
     position: vec3f,
     kernels: u32,

@@ -1,12 +1,13 @@
 //! Filtered kernels on the device against the mean of the kernel over the footprint, with the paper's form beside.
 
 use prefilter::gpu::Device;
-use prefilter::reference::gabor_kernel::{convolved, density, Wave, BANDWIDTH};
+use prefilter::reference::gabor::{about, noise as exact};
+use prefilter::reference::gabor_kernel::{convolved, density, distance, Wave, BANDWIDTH, REACH};
 use prefilter::reference::gabor_spectrum::Spectrum;
 use spirv_tests::kernel::Function;
 use spirv_tests::random::Random;
 
-use crate::{place, plane, rms, Outcome};
+use crate::{place, plane, rms, Found, Outcome};
 
 /// A kernel's words, its spectrum and what they stand for: the phase of a hash, and one frequency.
 fn drawn(random: &mut Random, most: f64) -> ([u32; 2], [f64; 6], Wave) {
@@ -58,4 +59,47 @@ fn filtered_kernels_are_exact() -> Outcome {
         assert!(aspect == 1.0 || paper / scale > 1e-2, "the paper's approximation is none at aspect {aspect}");
     }
     Ok(())
+}
+
+/// The promises hold for frequencies up to 4 cycles a cell, five bandwidths, where footprints are too narrow to fade
+/// the waves as well. Up to the highest that a description may have, errors grow in proportion, as the shelf says.
+#[test]
+fn errors_grow_as_frequencies() -> Outcome {
+    let device = Device::new()?;
+    for bandwidths in [5.0, 10.0, 16.0] {
+        let mut random = Random::new(3);
+        let (mut kernels, mut sums) = (Vec::new(), Vec::new());
+        for number in 0..100_000 {
+            let (words, spectrum, wave) = drawn(&mut random, bandwidths * BANDWIDTH);
+            let footprint = plane(&mut random, [0.02, 0.01]).map(|v| v.map(|part| f64::from(part as f32)));
+            let apart = place(&mut random, 0.85).map(|part| f64::from(part as f32));
+            let rest = [&spectrum[..], &footprint[0], &footprint[1]].concat();
+            let point = [&[0.0; 3], &apart[..], &words.map(f64::from), &rest].concat();
+            kernels.push((point, convolved(&wave, apart, footprint) / density(footprint)));
+            let seen = about(apart, 2, words[0]);
+            // Where no kernel ends so close to the point that rounding decides.
+            let clear = |apart| (distance(apart, footprint) - REACH * REACH).abs() > 1e-5;
+            if number < 3000 && seen.iter().all(|(apart, _)| clear(*apart)) {
+                let [f, _, azimuth, _, height, _] = spectrum;
+                let ranges = Spectrum { frequency: [f, 0.0], azimuth: [azimuth, 0.0], height: [height, 0.0] };
+                let point = [&apart[..], &[2.0, f64::from(words[0])], &rest].concat();
+                sums.push((point, exact(apart, 2, words[0], &ranges, footprint).0));
+            }
+        }
+        for (name, cases, promise) in [("gabor_kernel", kernels, 3.2e-6), ("gabor_noise", sums, 8e-6)] {
+            let (most, promise) = (largest(&device, name, cases)?, promise * bandwidths / 5.0);
+            println!("to {bandwidths} bandwidths: {name} {most:.1e} of {promise:.1e}");
+            assert!(most < promise, "{name} to {bandwidths} bandwidths: {most}");
+        }
+    }
+    Ok(())
+}
+
+/// The largest error of a function of the shelf over points with the expected values.
+fn largest(device: &Device, name: &str, cases: Vec<(Vec<f64>, f64)>) -> Found<f64> {
+    let shelf = Function::shelf()?;
+    let function = shelf.iter().find(|function| function.name == name).ok_or("not on the shelf")?;
+    let (points, expected): (Vec<_>, Vec<_>) = cases.into_iter().unzip();
+    let found = function.results(device, &[], &points)?;
+    Ok(found.iter().zip(&expected).map(|(found, expected)| (found[0] - expected).abs()).fold(0.0, f64::max))
 }
