@@ -51,7 +51,7 @@ pub struct Nodes<'a> {
     pub curve: &'a HeightTransfer,
     /// Nodes, from 1 to 4, that of level pieces among them.
     pub count: usize,
-    /// Nodes keep the sign of g′, which matters where f has a mean slope and the curve rises and falls.
+    /// Nodes keep the sign of g′, which matters where f has a mean slope. Those of tables do where a curve only falls.
     pub signed: bool,
 }
 
@@ -177,6 +177,7 @@ const JUDGED: [usize; 2] = [3, 4];
 /// from the normal: of the nodes themselves and of reading between texels together, for deviations of f from the
 /// distance of two columns on. Below it a bend of the curve is as wide as that distance.
 pub fn table(nodes: Nodes<'_>, means: Axis, deviations: Axis, name: &str) -> Table {
+    let nodes = Nodes { signed: nodes.signed || nodes.curve.is_monotone(), ..nodes };
     let line = |row: usize| {
         // A deviation of 0 is the limit: level or not, and the rule of a narrow distribution.
         let least = 0.25 * deviations.value(1.0);
@@ -250,6 +251,18 @@ mod tests {
             let ours = Nodes { curve: &curve, count, signed: false }.over(0.0, 1.0);
             assert!(step_error(&surface, &ours, steepest) < [0.1, 0.03, 0.02][count - 2], "{count}: {ours:?}");
         }
+        Ok(())
+    }
+
+    /// With a mean slope, a fall is no rise.
+    #[test]
+    fn a_falling_curve_has_negative_scales() -> Result<(), crate::Error> {
+        let curve = HeightTransfer::smoothstep(-1.0, 1.0)?.scaled(-1.0, 0.0)?;
+        let nodes = Nodes { curve: &curve, count: 3, signed: false };
+        let axis = |low, high| Axis { low, high, count: 2, spacing: Spacing::Linear };
+        let table = table(nodes, axis(0.1, 0.2), axis(0.0, 0.3), "nodes");
+        let scales = &table.levels[0].texels[8..11];
+        assert!(scales[0] == 0.0 && scales[1] < scales[2] && scales[2] < 0.0, "{scales:?}");
         Ok(())
     }
 
