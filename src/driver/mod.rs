@@ -168,13 +168,14 @@ impl Driver {
         }
     }
 
-    /// What no bound of a filter covers with this driver, and how much that was measured to be.
-    pub(crate) fn gap(&self) -> String {
+    /// What no bound of a filter of values or, where it knows them, of slopes covers with this driver, and how much
+    /// that was measured to be.
+    pub(crate) fn gap(&self, slopes: bool) -> String {
         match self {
             Self::Moments(moments) => moments::gap(moments.taps),
             Self::Indicators(_) => indicators::GAP.to_owned(),
             Self::SlopeMoments(moments) => slope_moments::gap(moments.taps),
-            _ => self.function(false).map_or(String::new(), |function| function.gap),
+            _ => self.function(slopes && self.knows_slopes()).map_or(String::new(), |function| function.gap),
         }
     }
 

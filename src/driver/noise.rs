@@ -27,6 +27,13 @@ use crate::Error;
 /// is the one that footprints of this size, length and turn have on the average: within 3 % of samples for every
 /// lattice, of one octave and of several (`spirv-tests/tests/noise/slopes.rs`). An octave has the slopes of the one
 /// before times gain and lacunarity, by default as many: where the last octaves are lost, so are most slopes.
+/// Root mean square errors of the color by the slope along a direction, in thousandths, for six octaves with slopes of
+/// a deviation of about ½ on a plane to the horizon, all slopes counted alike:
+///
+/// | map | 1 tap | 2 taps | 4 taps | 8 taps | mean slope | slope of a point |
+/// |---|---|---|---|---|---|---|
+/// | terrain | 48.7 | 42.3 | 36.5 | 30.9 | 233.1 | 297.1 |
+/// | steps6 | 42.6 | 37.2 | 32.5 | 28.1 | 257.3 | 312.5 |
 ///
 /// ```
 /// use prefilter::{ColorMap, Driver, Noise, Scene};
@@ -239,7 +246,7 @@ impl Noise {
             trips: self.octaves as usize,
             taps: self.taps,
             pixel: self.pixel,
-            gap: self.gap(),
+            gap: steepness.map_or_else(|| self.gap(), |_| self.gap() + &self.gap_of_slopes()),
         }
     }
 

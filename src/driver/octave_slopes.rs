@@ -2,6 +2,7 @@
 
 use super::noise::{Noise, Shelf};
 use super::octaves::{Octave, CUT, OFFSET};
+use super::taps::Taps;
 
 impl Noise {
     /// The loop over octaves, which returns a `statistics_surface`.
@@ -47,6 +48,20 @@ impl Noise {
 ",
             power = self.power() as f32,
             steep = self.steep() as f32,
+        )
+    }
+
+    /// What no bound covers where slopes are filtered; `spirv-tests/tests/noise/slope_figures.rs` measures it again.
+    pub(super) fn gap_of_slopes(&self) -> String {
+        let [terrain, steps] = match self.taps {
+            Taps::One => [0.049, 0.043],
+            Taps::Two => [0.042, 0.037],
+            Taps::Four => [0.037, 0.032],
+            Taps::Eight => [0.031, 0.028],
+        };
+        format!(
+            ".\n    By the slopes of such noise, all counted alike, it is {terrain:.3} and {steps:.3}; by the slope of \
+             a point 0.297\n    and 0.313"
         )
     }
 

@@ -23,6 +23,11 @@ pub(super) struct Driven<'a> {
 }
 
 impl Driven<'_> {
+    /// What no bound covers with it.
+    pub fn gap(&self) -> &str {
+        &self.function.gap
+    }
+
     /// The name of the statistics in the body of the export.
     fn variable(&self) -> String {
         self.layer.map_or("m".to_owned(), |layer| format!("{layer}_statistics"))

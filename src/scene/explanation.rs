@@ -35,9 +35,9 @@ impl Scene {
         }
         let gap = match (chosen.over, &self.driver) {
             (Over::Values, None) => format!("{UNDRIVEN} {} of that mean and deviation", self.distribution),
-            (Over::Values, Some(driver)) if self.distribution == Distribution::Normal => driver.gap(),
+            (Over::Values, Some(driver)) if self.distribution == Distribution::Normal => driver.gap(false),
             (Over::Values, Some(driver)) => {
-                format!("{UNDRIVEN} {}; with a normal one it is\n    {}", self.distribution, driver.gap())
+                format!("{UNDRIVEN} {}; with a normal one it is\n    {}", self.distribution, driver.gap(false))
             }
             (Over::Heights(_), driver) => driven(surface::gap(self.microsurface, self.percentile.is_some()), driver),
             (Over::Slopes(tier) | Over::SlopeMap(tier, _), driver) => driven(slope::gap(tier), driver),
@@ -96,7 +96,7 @@ impl Scene {
         if lit && layers.iter().any(Layer::slopes) {
             let _ = writeln!(text, "  light   {TOGETHER}");
         }
-        let gaps: BTreeSet<String> = drivers.iter().map(|driven| format!(";\n    {}", driven.driver.gap())).collect();
+        let gaps: BTreeSet<String> = drivers.iter().map(|driven| format!(";\n    {}", driven.gap())).collect();
         let _ = writeln!(text, "  not in the error: {INDEPENDENT}{}", gaps.into_iter().collect::<String>());
         text
     }
@@ -188,7 +188,7 @@ const UNDRIVEN: &str = "how far a pixel's values are from";
 
 /// A filter's gap, and its driver's behind it.
 fn driven(gap: String, driver: &Option<Driver>) -> String {
-    driver.as_ref().map_or(gap.clone(), |driver| format!("{gap};\n    {}", driver.gap()))
+    driver.as_ref().map_or(gap.clone(), |driver| format!("{gap};\n    {}", driver.gap(true)))
 }
 
 /// Whether the bound is that of a distribution and of a map over it.

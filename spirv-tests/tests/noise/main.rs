@@ -8,6 +8,7 @@ mod footprints;
 mod noises;
 mod periods;
 mod plane;
+mod slope_figures;
 mod slopes;
 mod solid;
 mod warp;
