@@ -2,7 +2,8 @@
 //! to all of its scales.
 
 use prefilter::gpu::Device;
-use spirv_tests::snake::judge::{judge, Extent, Judged, Quantity, Row};
+use spirv_tests::imaging::look::Quantity;
+use spirv_tests::snake::judge::{judge, Extent, Judged, Row};
 use spirv_tests::snake::method::Method;
 use spirv_tests::snake::{table, Error};
 

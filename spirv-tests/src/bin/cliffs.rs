@@ -5,7 +5,8 @@
 use clap::Parser;
 use prefilter::gpu::Device;
 use spirv_tests::cliffs::judge::{judge, Extent};
-use spirv_tests::cliffs::{page, table, Error};
+use spirv_tests::cliffs::{sheet, table, Error};
+use spirv_tests::imaging::files::{listed, write};
 use spirv_tests::program::{bar, end};
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -38,7 +39,8 @@ fn cliffs(arguments: &Arguments) -> Result<(), Error> {
     println!("{}", table::legend(device.label(), extent.size, extent.places));
     println!("{}", table::text(&judged));
     println!("{}\n{}", table::MODEL_LEGEND, table::model_text(&judged));
-    let written = page::write(&arguments.out, &judged)?;
-    println!("written: {}", written.map(|path| path.display().to_string()).join(", "));
+    let texts = [("cliffs.csv", table::csv(&judged)), ("cliffs_model.csv", table::model_csv(&judged))];
+    let written = write(&arguments.out, ("cliffs.png", &sheet::sheet(&judged)), &texts)?;
+    println!("written: {}", listed(&written));
     Ok(())
 }

@@ -4,10 +4,11 @@
 
 use clap::Parser;
 use prefilter::gpu::Device;
+use spirv_tests::imaging::files::{listed, write};
 use spirv_tests::noise::input::{Ground, Input};
 use spirv_tests::noise::judge::{judge, Extent};
-use spirv_tests::noise::sheet::Shown;
-use spirv_tests::noise::{page, table, Error};
+use spirv_tests::noise::sheet::{self, Shown};
+use spirv_tests::noise::{table, Error};
 use spirv_tests::program::{bar, end};
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -58,7 +59,8 @@ fn noise(arguments: &Arguments) -> Result<(), Error> {
     for judged in &all {
         println!("{}", table::text(judged));
     }
-    let written = page::write(&arguments.out, &all, &shown)?;
-    println!("written: {}", written.map(|path| path.display().to_string()).join(", "));
+    let texts = [("noise.csv", table::csv(&all))];
+    let written = write(&arguments.out, ("noise.png", &sheet::sheet(&shown)), &texts)?;
+    println!("written: {}", listed(&written));
     Ok(())
 }

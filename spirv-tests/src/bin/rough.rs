@@ -4,9 +4,10 @@
 
 use clap::Parser;
 use prefilter::gpu::Device;
+use spirv_tests::imaging::files::{listed, write};
 use spirv_tests::program::{bar, end};
 use spirv_tests::rough::judge::{judge, Extent};
-use spirv_tests::rough::{page, table, Error};
+use spirv_tests::rough::{sheet, table, Error};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -37,7 +38,8 @@ fn rough(arguments: &Arguments) -> Result<(), Error> {
     bar.finish_and_clear();
     println!("{}", table::legend(device.label(), extent.size, extent.seeds));
     println!("{}", table::text(&judged));
-    let written = page::write(&arguments.out, &judged)?;
-    println!("written: {}", written.map(|path| path.display().to_string()).join(", "));
+    let texts = [("rough.csv", table::csv(&judged))];
+    let written = write(&arguments.out, ("rough.png", &sheet::sheet(&judged)), &texts)?;
+    println!("written: {}", listed(&written));
     Ok(())
 }

@@ -4,9 +4,10 @@
 
 use clap::Parser;
 use prefilter::gpu::Device;
+use spirv_tests::imaging::files::{listed, write};
 use spirv_tests::program::{bar, end};
 use spirv_tests::snake::judge::{judge, Extent};
-use spirv_tests::snake::{page, table, Error};
+use spirv_tests::snake::{sheet, table, Error};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -37,7 +38,8 @@ fn snake(arguments: &Arguments) -> Result<(), Error> {
     bar.finish_and_clear();
     println!("{}", table::legend(device.label(), extent.size, extent.seeds));
     println!("{}", table::text(&judged));
-    let written = page::write(&arguments.out, &judged)?;
-    println!("written: {}", written.map(|path| path.display().to_string()).join(", "));
+    let texts = [("snake.csv", table::csv(&judged))];
+    let written = write(&arguments.out, ("snake.png", &sheet::sheet(&judged)), &texts)?;
+    println!("written: {}", listed(&written));
     Ok(())
 }

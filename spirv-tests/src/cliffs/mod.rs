@@ -17,7 +17,6 @@ pub mod judge;
 pub mod known;
 pub mod method;
 pub mod model;
-pub mod page;
 pub mod scene;
 pub mod sheet;
 pub mod table;

@@ -3,47 +3,38 @@
 use super::judge::{Judged, Panel, Row};
 use super::method::Method;
 use super::scene;
-use crate::imaging::canvas::{Canvas, Letters};
+use crate::imaging::canvas::Canvas;
 use crate::imaging::measure::errors;
 use crate::imaging::picture::Picture;
 use crate::imaging::region::Region;
+use crate::imaging::sheet::{Sheet, GAP, LINE};
 use crate::imaging::view::{Lens, View};
 
 /// The error that error maps show brightest.
 const BRIGHTEST: f32 = 0.25;
 
-const PAPER: [u8; 3] = [255; 3];
-const INK: [u8; 3] = [30, 34, 40];
 const SKY: [[u8; 3]; 2] = [[118, 156, 204], [222, 228, 232]];
 /// What pixels resolve, from all to nothing, in linear light.
 const RESOLVED: [f32; 3] = [0.02, 0.2, 0.7];
 
 /// Rows of sky above the ground of lenses that look at the horizon: the ground begins below it.
 const SKY_ROWS: usize = 10;
-const MARGIN: usize = 10;
-const GAP: usize = 6;
-/// Height of a line of text.
-const LINE: usize = 18;
 
 /// The sheet.
 pub fn sheet(judged: &Judged) -> Canvas {
     let (width, height) = judged.panels.first().map_or((0, 0), |panel| (panel.view.width, panel.view.height));
-    let columns = Method::ALL.len() + 1;
     let block = 2 * (height + GAP) + SKY_ROWS + 2 * LINE;
     let shown: Vec<(&Panel, &Row)> =
         judged.panels.iter().zip(&judged.rows).filter(|(panel, _)| is_shown(panel)).collect();
-    let size = [2 * MARGIN + columns * (width + GAP) - GAP, 2 * MARGIN + 2 * LINE + shown.len() * block];
-    let mut canvas = Canvas::new(size[0], size[1], PAPER);
     let truth = format!("truth, 2 x {strata} x {strata} rays", strata = judged.strata);
-    let labels = Method::ALL.map(|method| method.label().to_owned()).into_iter().chain([truth]);
-    for (column, label) in labels.enumerate() {
-        canvas.text(&label, [MARGIN + column * (width + GAP), MARGIN], Letters::Bold, INK);
-    }
+    let headings = Method::ALL.map(|method| method.label().to_owned()).into_iter().chain([truth]);
+    let mut sheet = Sheet::new(&headings.collect::<Vec<_>>(), width, LINE + shown.len() * block);
     for (number, (panel, row)) in shown.iter().enumerate() {
-        draw(&mut canvas, panel, row, MARGIN + LINE + number * block);
+        draw(&mut sheet, panel, row, Sheet::TOP + number * block);
     }
-    legend(&mut canvas, MARGIN + LINE + shown.len() * block);
-    canvas
+    let below = Sheet::TOP + shown.len() * block;
+    sheet.error_line("error of a pixel, worst channel, linear", BRIGHTEST, below);
+    sheet.canvas
 }
 
 /// Both suns where they differ most, elsewhere the one ahead.
@@ -52,28 +43,28 @@ fn is_shown(panel: &Panel) -> bool {
 }
 
 /// A view under a sky: what each method shows above its errors.
-fn draw(canvas: &mut Canvas, panel: &Panel, row: &Row, top: usize) {
+fn draw(sheet: &mut Sheet, panel: &Panel, row: &Row, top: usize) {
     let View { width, height, title, lens, .. } = panel.view;
     let title = format!("{title}, {}", scene::suns(&panel.view)[panel.light]);
-    canvas.text(&title, [MARGIN, top + 2], Letters::Small, INK);
+    sheet.line(&title, 0, top);
     let top = top + LINE;
     let sky = if matches!(lens, Lens::Pinhole { .. }) { SKY_ROWS } else { 0 };
     for (column, picture) in panel.shown.iter().chain([&panel.truth]).enumerate() {
-        let left = MARGIN + column * (width + GAP);
-        canvas.shade([left, top], [width, sky], SKY[0], SKY[1]);
-        canvas.picture(picture, [left, top + sky]);
+        let left = sheet.left(column);
+        sheet.canvas.shade([left, top], [width, sky], SKY[0], SKY[1]);
+        sheet.canvas.picture(picture, [left, top + sky]);
         let below = top + sky + height + GAP;
         let label = match Method::ALL.get(column) {
             Some(&method) => {
-                canvas.errors(&errors(picture, &panel.truth), width, BRIGHTEST, [left, below]);
+                sheet.canvas.errors(&errors(picture, &panel.truth), width, BRIGHTEST, [left, below]);
                 label(row, method)
             }
             None => {
-                canvas.picture(&resolved(panel), [left, below]);
+                sheet.canvas.picture(&resolved(panel), [left, below]);
                 "slopes lost: < 50 %, < 90 %, more".into()
             }
         };
-        canvas.text(&label, [left, below + height + 2], Letters::Small, INK);
+        sheet.line(&label, column, below + height);
     }
 }
 
@@ -88,13 +79,4 @@ fn label(row: &Row, method: Method) -> String {
     let far = row.rms(method, Some(Region::Far));
     let far = if far.is_nan() { String::new() } else { format!(" (far {far:.3})") };
     format!("RMS error {:.3}{far}", row.rms(method, None))
-}
-
-/// What the colors of the error maps mean.
-fn legend(canvas: &mut Canvas, top: usize) {
-    let text = "error of a pixel, worst channel, linear:  0";
-    let after = MARGIN + Letters::Small.width(text) + GAP;
-    canvas.text(text, [MARGIN, top], Letters::Small, INK);
-    canvas.error_scale([after, top + 1], [200, 10]);
-    canvas.text(&format!("{BRIGHTEST} and more"), [after + 200 + GAP, top], Letters::Small, INK);
 }

@@ -2,12 +2,13 @@
 
 use super::input::Input;
 use super::method::{Method, Renderer};
-use super::motion::{shimmer, Motion};
+use super::motion::Motion;
 use super::plane::Plane;
 use super::truth::Sampler;
 use super::Error;
 use crate::imaging::measure::{deviation, errors, root_mean_square, samples_for, Deviation};
 use crate::imaging::picture::Picture;
+use crate::imaging::shimmer::shimmer;
 use prefilter::gpu::Device;
 
 /// Strata an axis of the truth, which is the mean of two such pictures.

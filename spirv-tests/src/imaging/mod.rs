@@ -1,16 +1,22 @@
 //! Pictures and what reports do with them: lenses, reliefs and their rays, supersampling, how far one picture is from
 //! another, drawing, lettering, PNG files.
 
+pub mod camera;
 pub mod canvas;
+pub mod files;
+pub mod look;
 pub mod measure;
 pub mod picture;
 pub mod pixel;
 pub mod region;
 pub mod relief;
+pub mod sheet;
+pub mod shimmer;
 pub mod tally;
 pub mod taps;
 pub mod vector;
 pub mod view;
+pub mod waves;
 
 /// Why a report of pictures stopped.
 #[derive(Debug, thiserror::Error)]

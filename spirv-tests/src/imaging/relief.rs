@@ -84,11 +84,17 @@ impl Relief {
     /// A ray passes over a square at once where it is higher than all of it, and is solved for in every cell that is
     /// left: nothing is stepped over.
     pub fn hit(&self, from: [f64; 3], way: [f64; 3]) -> Option<f64> {
+        self.hit_within(from, way, f64::INFINITY)
+    }
+
+    /// The same up to a multiple of the way; none where it does not come to the surface before.
+    pub fn hit_within(&self, from: [f64; 3], way: [f64; 3], most: f64) -> Option<f64> {
         let top = self.top();
         let mut along = if from[2] > top { (top - from[2]) / way[2] } else { 0.0 };
         if along < 0.0 {
             return None;
         }
+        let within = |along: f64| (along <= most).then_some(along);
         let place = |along: f64| self.cells([0, 1].map(|axis| from[axis] + along * way[axis]));
         let level_at = |along: f64| from[2] + along * way[2];
         let nudge = NUDGE * self.spacing[0].min(self.spacing[1]) / way[0].hypot(way[1]).max(1e-9);
@@ -112,7 +118,7 @@ impl Relief {
             let square = |axis: usize| (corner[axis] as i64).rem_euclid((self.sides[axis] >> level) as i64) as usize;
             if lowest > f64::from(self.largest[level][square(1) * (self.sides[0] >> level) + square(0)]) {
                 along = end + nudge;
-                if way[2] > 0.0 && level_at(along) > top {
+                if along > most || (way[2] > 0.0 && level_at(along) > top) {
                     return None;
                 }
                 level = (level + 1).min(highest);
@@ -122,7 +128,7 @@ impl Relief {
                 let patch = self.patch(corner);
                 let above = |along: f64| level_at(along) - patch(place(along));
                 if let Some(part) = first_root([above(along), above(0.5 * (along + end)), above(end)]) {
-                    return Some(along + part * (end - along));
+                    return within(along + part * (end - along));
                 }
                 along = end + nudge;
             }
@@ -209,6 +215,8 @@ mod tests {
             if let Some(along) = found {
                 let [x, y, z] = at(along);
                 assert!((z - relief.height([x, y])).abs() < 1e-6, "{number}: {z}");
+                let [before, behind] = [0.99, 1.01].map(|part| relief.hit_within(from, way, part * along));
+                assert!(before.is_none() && behind == found, "{number}: {before:?} {behind:?}");
                 hits += 1;
             }
         }

@@ -5,11 +5,12 @@ use super::lens::Lens;
 use super::method::{Method, Renderer};
 use super::truth::{Look, Sampler};
 use super::Error;
-use crate::demo::motion::{shimmer, Motion};
+use crate::demo::motion::Motion;
 use crate::gap::figure::Figure;
 use crate::imaging::measure::{samples_for, worst};
 use crate::imaging::picture::Picture;
 use crate::imaging::region::Region;
+use crate::imaging::shimmer::shimmer;
 use crate::imaging::tally::{sizes, Errors, Of};
 use prefilter::gpu::Device;
 

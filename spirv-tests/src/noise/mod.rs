@@ -12,7 +12,6 @@ pub mod input;
 pub mod judge;
 pub mod lens;
 pub mod method;
-pub mod page;
 pub mod sheet;
 pub mod table;
 pub mod truth;

@@ -4,7 +4,7 @@ use super::known::{self, Known};
 use super::method::{Method, Renderer, Shown};
 use super::relief::relief;
 use super::scene::{self, LIGHTS};
-use super::surface::Surface;
+use super::surface::surface;
 use super::tally::{Quantity, Tally};
 use super::truth::{Scenery, Seen};
 use super::Error;
@@ -156,7 +156,7 @@ pub fn judge(device: &Device, extent: Extent, done: &(dyn Fn() + Sync)) -> Resul
     judged.rows.extend(views.iter().flat_map(|&view| (0..COUNT).map(move |light| row(view, light))));
     let (reference, pixel) = (map.reference(), Pixel::default());
     for seed in 0..extent.seeds {
-        let surface = Surface::new(seed as u32 + 1);
+        let surface = surface(seed as u32 + 1);
         let relief = relief(&surface);
         let scenery = Scenery { relief: &relief, map: &reference, pixel: &pixel };
         for (number, view) in views.iter().enumerate() {

@@ -4,10 +4,10 @@
 //! shadows of that geometry are smoothed by several taps a pixel, whose colors are averaged. All of it is the same for
 //! every method, and so is the share of the lost slopes that faces the light.
 
-use super::surface::{Filtered, Surface};
 use crate::imaging::pixel::fill;
 use crate::imaging::taps::{places, ALL_TAPS, TAP_DEVIATION};
 use crate::imaging::view::{Ray, View};
+use crate::imaging::waves::{Filtered, Waves};
 use prefilter::reference::normal::{cumulative, density};
 
 /// Places at which slopes along the view are integrated over.
@@ -32,7 +32,7 @@ pub struct Known<const LIGHTS: usize> {
 
 /// What is known of every pixel of a view; `lights` are unit vectors toward them.
 pub fn picture<const LIGHTS: usize>(
-    surface: &Surface,
+    surface: &Waves,
     view: &View,
     lights: &[[f64; 3]; LIGHTS],
 ) -> Vec<[Known<LIGHTS>; ALL_TAPS]> {
@@ -52,7 +52,7 @@ pub fn picture<const LIGHTS: usize>(
 }
 
 fn known<const LIGHTS: usize>(
-    surface: &Surface,
+    surface: &Waves,
     view: &View,
     lights: &[[f64; 3]; LIGHTS],
     place: [f64; 2],

@@ -15,7 +15,6 @@
 pub mod judge;
 pub mod known;
 pub mod method;
-pub mod page;
 pub mod relief;
 pub mod scene;
 pub mod sheet;

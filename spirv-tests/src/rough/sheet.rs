@@ -4,16 +4,10 @@ use super::judge::{Judged, Look, Row};
 use super::method::Method;
 use super::scene::{self, LIGHTS};
 use super::tally::Quantity;
-use crate::imaging::canvas::{Canvas, Letters};
+use crate::imaging::canvas::Canvas;
 use crate::imaging::picture::Picture;
 use crate::imaging::region::Region;
-
-const PAPER: [u8; 3] = [255; 3];
-const INK: [u8; 3] = [30, 34, 40];
-const MARGIN: usize = 10;
-const GAP: usize = 6;
-/// Height of a line of text.
-const LINE: usize = 18;
+use crate::imaging::sheet::{Sheet, GAP, LINE};
 
 /// The light of the sky, which is everywhere, and of the sun.
 const SKY: [f64; 3] = [0.14, 0.18, 0.24];
@@ -31,35 +25,29 @@ pub fn picture(looks: &[Look], width: usize) -> Picture {
 /// The sheet.
 pub fn sheet(judged: &Judged) -> Canvas {
     let (width, height) = judged.panels.first().map_or((0, 0), |panel| (panel.view.width, panel.view.height));
-    let columns = Method::ALL.len() + 1;
     let block = height + LINE + GAP;
     let views = judged.panels.len() / LIGHTS.len();
-    let size =
-        [2 * MARGIN + columns * (width + GAP) - GAP, 2 * MARGIN + LINE + views * LINE + judged.panels.len() * block];
-    let mut canvas = Canvas::new(size[0], size[1], PAPER);
     let truth = format!("truth, 2 x {strata} x {strata} rays", strata = judged.strata);
-    let labels = Method::ALL.map(|method| method.label().to_owned()).into_iter().chain([truth]);
-    for (column, label) in labels.enumerate() {
-        canvas.text(&label, [MARGIN + column * (width + GAP), MARGIN], Letters::Bold, INK);
-    }
-    let mut top = MARGIN + LINE;
+    let headings = Method::ALL.map(|method| method.label().to_owned()).into_iter().chain([truth]);
+    let mut sheet = Sheet::new(&headings.collect::<Vec<_>>(), width, views * LINE + judged.panels.len() * block);
+    let mut top = Sheet::TOP;
     for (panel, row) in judged.panels.iter().zip(&judged.rows) {
         if panel.light == 0 {
-            canvas.text(panel.view.title, [MARGIN, top + 2], Letters::Small, INK);
+            sheet.line(panel.view.title, 0, top);
             top += LINE;
         }
         for (column, looks) in panel.shown.iter().chain([&panel.truth]).enumerate() {
-            let left = MARGIN + column * (width + GAP);
-            canvas.picture(&picture(looks, width), [left, top]);
+            let left = sheet.left(column);
+            sheet.canvas.picture(&picture(looks, width), [left, top]);
             let label = match Method::ALL.get(column) {
                 Some(&method) => error(row, method),
                 None => scene::suns(&panel.view)[panel.light].into(),
             };
-            canvas.text(&label, [left, top + height + 2], Letters::Small, INK);
+            sheet.line(&label, column, top + height);
         }
         top += block;
     }
-    canvas
+    sheet.canvas
 }
 
 /// The errors that fit below a picture.

@@ -108,16 +108,16 @@ fn add(sum: &mut [f64; 3], color: [f64; 3]) {
 #[cfg(test)]
 mod tests {
     use super::super::relief::relief;
-    use super::super::surface::{Surface, Wave};
     use super::*;
     use crate::imaging::view::Lens;
+    use crate::imaging::waves::{Wave, Waves};
     use std::f64::consts::TAU;
 
     /// Straight down on ridges whose light comes from across: a profile in one dimension says what is lit.
     #[test]
     fn ridges_are_lit_as_their_profile_says() {
         let wave = Wave { periods: [1, 0], amplitude: 1.0, phase: 0.0 };
-        let relief = relief(&Surface { waves: vec![wave], period: 8.0 });
+        let relief = relief(&Waves { waves: vec![wave], period: 8.0 });
         // Black below 0.5, white above.
         let map = PiecewiseLinear { knots: vec![(0.5, [0.0; 4], [1.0; 4])] };
         let scenery = Scenery { relief: &relief, map: &map, pixel: &Pixel::default() };

@@ -1,16 +1,17 @@
 //! Every method on every view against the truth, over several skins.
 
 use super::body::Body;
-use super::camera::View;
 use super::known;
 use super::mesh::Mesh;
 use super::method::{Maps, Method, Renderer};
-use super::scene::{self, Material};
+use super::scene::{self, Material, LEVELS};
 use super::skin::{Skin, SIDE};
 use super::stage::{stage, Stage};
-use super::truth::{Look, Scenery};
+use super::truth::Scenery;
 use super::Error;
 use crate::gap::figure::Figure;
+use crate::imaging::camera::View;
+use crate::imaging::look::{Look, Quantity};
 use crate::imaging::measure::{root_mean_square, samples_for, sizes, Deviation};
 use crate::imaging::pixel::Pixel;
 use prefilter::gpu::Device;
@@ -50,45 +51,6 @@ impl Extent {
 
 fn brute(view: &View) -> impl Iterator<Item = usize> + '_ {
     BRUTE.into_iter().filter(|&strata| strata <= view.strata)
-}
-
-/// What is judged.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Quantity {
-    /// The mean color of what is seen.
-    Color,
-    /// The mean of color times irradiance.
-    Lit,
-}
-
-impl Quantity {
-    /// Both.
-    pub const ALL: [Self; 2] = [Self::Color, Self::Lit];
-
-    /// The name in tables.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Color => "color",
-            Self::Lit => "lit",
-        }
-    }
-
-    fn of(self, look: &Look) -> [f64; 3] {
-        match self {
-            Self::Color => look.color,
-            Self::Lit => look.lit,
-        }
-    }
-
-    /// The error of a pixel; None where one of both sees nothing of the snake, so that there is no color to judge.
-    pub fn error(self, shown: &Look, truth: &Look) -> Option<f32> {
-        if truth.share == 0.0 || shown.share == 0.0 {
-            return None;
-        }
-        let far = self.of(shown).into_iter().zip(self.of(truth)).map(|(one, other)| (one - other).abs());
-        let worst = far.fold(0.0, |worst, next| if worst >= next || f64::is_nan(worst) { worst } else { next });
-        Some((truth.share * worst) as f32)
-    }
 }
 
 /// Errors of a picture's pixels, skin by skin: of the worst channel, times the share of the pixel that the snake
@@ -206,14 +168,14 @@ pub fn judge(device: &Device, extent: Extent, done: &(dyn Fn(u64) + Sync)) -> Re
             light: &material.light,
             pixel: &pixel,
         };
-        for row in &mut rows {
+        for (row, level) in rows.iter_mut().zip(LEVELS) {
             let view = row.view;
             let sampled = |strata: usize, number: usize| {
                 let rays = (view.width * strata * strata) as u64;
                 scenery.picture(&view, strata, (16 * seed + number) as u64, &|| done(rays))
             };
-            let resolved = displaced(&body, &heights, view.level);
-            let known = known::picture(&body, resolved.as_ref().unwrap_or(&mesh), &view);
+            let resolved = displaced(&body, &heights, level);
+            let known = known::picture(&body, resolved.as_ref().unwrap_or(&mesh), level, &view);
             let shown = renderers.iter().map(|renderer| renderer.shown(&maps, &known));
             if seed == 0 {
                 row.stage = stage(&body, &coarse, &view);
@@ -248,20 +210,5 @@ fn enter(row: &mut Row, shown: Vec<Vec<Look>>, sampled: &dyn Fn(usize, usize) ->
     }
     if row.shown.is_empty() {
         (row.truth, row.shown) = (truth, shown);
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn errors_count_by_the_snakes_share() {
-        let look = |color: f64, share: f64| Look { color: [0.1, color, 0.2], lit: [color; 3], share };
-        assert_eq!(Quantity::Color.error(&look(0.75, 1.0), &look(0.5, 0.5)), Some(0.125));
-        assert_eq!(Quantity::Color.error(&look(0.75, 0.0), &look(0.5, 0.5)), None);
-        assert_eq!(Quantity::Lit.error(&look(0.75, 1.0), &look(0.5, 0.0)), None);
-        assert!(Quantity::Lit.error(&look(f64::NAN, 1.0), &look(0.5, 1.0)).is_some_and(f32::is_nan));
-        assert!(Quantity::Lit.error(&Look::UNKNOWN, &look(0.5, 1.0)).is_some_and(f32::is_nan));
     }
 }

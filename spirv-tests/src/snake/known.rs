@@ -2,9 +2,9 @@
 //! they are. All of it is the same for every method.
 
 use super::body::{Base, Body, AROUND};
-use super::camera::{Ray, View};
 use super::mesh::Mesh;
 use super::skin::SIDE;
+use crate::imaging::camera::{Ray, View};
 use crate::imaging::pixel::{fill, PIXEL_DEVIATION};
 use crate::imaging::taps::{places, ALL_TAPS};
 use crate::imaging::vector::{difference, dot, length, scaled, sum, Vector};
@@ -27,11 +27,12 @@ pub struct Known {
     pub frame: [Vector; 3],
 }
 
-/// What is known of every pixel of a view: of its taps, None where they miss the body.
-pub fn picture(body: &Body, mesh: &Mesh, view: &View) -> Vec<[Option<Known>; ALL_TAPS]> {
+/// What is known of every pixel of a view: of its taps, None where they miss the body, whose mesh has the heights of a
+/// level.
+pub fn picture(body: &Body, mesh: &Mesh, level: usize, view: &View) -> Vec<[Option<Known>; ALL_TAPS]> {
     let mut picture = vec![[None; ALL_TAPS]; view.width * view.height];
     let work = |column: usize, row: usize| {
-        places(view.middle(column, row)).map(|place| known(body, mesh, view.level, &view.ray(place)))
+        places(view.middle(column, row)).map(|place| known(body, mesh, level, &view.ray(place)))
     };
     fill(&mut picture, view.width, &work, &|| ());
     picture
@@ -95,12 +96,11 @@ mod tests {
     fn footprints_are_where_rays_go() {
         let (body, pixel) = (Body::new(), Pixel::default());
         let mesh = body.mesh(&[0.0; 128 * 128], 2);
-        let [_, whole, _] = views([180, 120], [1; 3]);
-        let view = View { level: 2, ..whole };
+        let [_, view, _] = views([180, 120], [1; 3]);
         let (mut inside, mut grazing) = (Vec::new(), Vec::new());
         for pixel_number in 0..view.width * view.height {
             let middle = view.middle(pixel_number % view.width, pixel_number / view.width);
-            let Some(known) = known(&body, &mesh, view.level, &view.ray(middle)) else { continue };
+            let Some(known) = known(&body, &mesh, 2, &view.ray(middle)) else { continue };
             let rays = pixel.samples(16, 1, pixel_number as u64).map(|[x, y]| view.ray([middle[0] + x, middle[1] + y]));
             let found: Vec<[f64; 2]> =
                 rays.filter_map(|ray| super::known(&body, &mesh, 2, &ray)).map(|tap| tap.position).collect();

@@ -3,8 +3,8 @@
 use super::known::Known;
 use super::scene::{Material, DIRECTION};
 use super::skin::{Skin, SIDE};
-use super::truth::Look;
 use super::Error;
+use crate::imaging::look::Look;
 use crate::imaging::taps::{ALL_TAPS, TAP_DEVIATION};
 use prefilter::gpu::{Address, Device, Kernel, Texture, Work};
 use prefilter::table::{Format, Table};

@@ -15,12 +15,10 @@
 //! `docs/snake.csv` is a full run.
 
 pub mod body;
-pub mod camera;
 pub mod judge;
 pub mod known;
 pub mod mesh;
 pub mod method;
-pub mod page;
 pub mod scene;
 pub mod sheet;
 pub mod skin;

@@ -1,6 +1,6 @@
 //! What is looked at: the material, the light, the views.
 
-use super::camera::View;
+use crate::imaging::camera::View;
 use prefilter::{ColorMap, Combination, Error, Irradiance, Scene};
 
 /// Along which the slopes are looked at that turn red, in the frame of the surface: to the head and to one side.
@@ -75,12 +75,15 @@ fn light() -> Result<Irradiance, Error> {
     Irradiance::from_equirectangular(SIZE[0], SIZE[1], &texels)
 }
 
+/// Level of the heights that methods see displaced in each view: texels as wide as pixels about.
+pub const LEVELS: [usize; 3] = [0, 2, 4];
+
 /// Scales, the whole snake, and the snake far away: of a size, with strata an axis of each half of the truth.
 pub fn views([width, height]: [usize; 2], strata: [usize; 3]) -> [View; 3] {
     let whole = [0.3, -1.2, 0.6];
     let eye = |far: f64| [whole[0] + 0.10 * far, whole[1] - 0.76 * far, whole[2] + 0.64 * far];
     let size = width as f64;
-    let view = |name, title, far: f64, focal: f64, enlarged: usize, strata: usize, level| View {
+    let view = |name, title, far: f64, focal: f64, enlarged: usize, strata: usize| View {
         name,
         title,
         eye: eye(far),
@@ -90,12 +93,23 @@ pub fn views([width, height]: [usize; 2], strata: [usize; 3]) -> [View; 3] {
         height: height / enlarged,
         enlarged,
         strata,
-        level,
     };
-    let near = View { target: [0.75, -5.7, 2.2], ..view("near", "near: scales", 34.0, 5.2, 1, strata[0], 0) };
+    let near = View { target: [0.75, -5.7, 2.2], ..view("near", "near: scales", 34.0, 5.2, 1, strata[0]) };
     [
         near,
-        view("whole", "the whole snake", 34.0, 2.3, 1, strata[1], 2),
-        view("far", "far away, 6 times enlarged", 34.0 * 6.0, 6.0 * 2.3, 6, strata[2], 4),
+        view("whole", "the whole snake", 34.0, 2.3, 1, strata[1]),
+        view("far", "far away, 6 times enlarged", 34.0 * 6.0, 6.0 * 2.3, 6, strata[2]),
     ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pictures_are_shown_in_one_size() {
+        for view in views([60, 42], [1; 3]) {
+            assert_eq!((view.width * view.enlarged, view.height * view.enlarged), (60, 42), "{}", view.name);
+        }
+    }
 }

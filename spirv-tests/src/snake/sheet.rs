@@ -1,58 +1,47 @@
 //! The contact sheet: every view by every method, with labels and errors.
 
-use super::camera::View;
-use super::judge::{Judged, Quantity, Row};
+use super::judge::{Judged, Row};
 use super::method::Method;
 use super::stage;
-use super::truth::Look;
+use crate::imaging::camera::View;
 use crate::imaging::canvas::{Canvas, Letters};
+use crate::imaging::look::{Look, Quantity};
 use crate::imaging::picture::enlarged;
+use crate::imaging::sheet::{Sheet, GAP, INK, LINE};
 
 /// The error that error maps show brightest.
 const BRIGHTEST: f32 = 0.25;
-
-const PAPER: [u8; 3] = [255; 3];
-const INK: [u8; 3] = [30, 34, 40];
-const MARGIN: usize = 10;
-const GAP: usize = 6;
-/// Height of a line of text.
-const LINE: usize = 18;
 
 /// The sheet.
 pub fn sheet(judged: &Judged) -> Canvas {
     let size = |view: &View| [view.width, view.height].map(|side| side * view.enlarged);
     let [width, height] = judged.rows.first().map_or([0, 0], |row| size(&row.view));
-    let columns = Method::SHOWN.len() + 1;
     let block = 2 * (height + GAP) + LINE;
-    let area = [2 * MARGIN + columns * (width + GAP) - GAP, 2 * MARGIN + LINE + judged.rows.len() * block - GAP];
-    let mut canvas = Canvas::new(area[0], area[1], PAPER);
-    let left = |column: usize| MARGIN + column * (width + GAP);
-    for (column, method) in Method::SHOWN.into_iter().enumerate() {
-        canvas.text(method.label(), [left(column), MARGIN], Letters::Bold, INK);
-    }
-    canvas.text("truth", [left(columns - 1), MARGIN], Letters::Bold, INK);
+    let headings = Method::SHOWN.map(Method::label).into_iter().chain(["truth"]).map(str::to_owned);
+    let mut sheet = Sheet::new(&headings.collect::<Vec<_>>(), width, judged.rows.len() * block - GAP);
+    let last = sheet.left(Method::SHOWN.len());
     for (number, row) in judged.rows.iter().enumerate() {
-        let top = MARGIN + LINE + number * block;
+        let top = Sheet::TOP + number * block;
         for (column, method) in Method::SHOWN.into_iter().enumerate() {
             let shown = &row.shown[method as usize];
-            draw(&mut canvas, row, shown, [left(column), top]);
-            errors(&mut canvas, row, shown, [left(column), top + height]);
+            let left = sheet.left(column);
+            draw(&mut sheet.canvas, row, shown, [left, top]);
+            errors(&mut sheet.canvas, row, shown, [left, top + height]);
             let label = format!(
                 "RMS of color {:.3}, lit {:.3}",
                 row.rms(method, Quantity::Color).value,
                 row.rms(method, Quantity::Lit).value
             );
-            canvas.text(&label, [left(column), top + 2 * height + 2], Letters::Small, INK);
+            sheet.line(&label, column, top + 2 * height);
         }
-        let last = left(columns - 1);
-        draw(&mut canvas, row, &row.truth, [last, top]);
-        canvas.text(row.view.title, [last, top + height + 4], Letters::Bold, INK);
+        draw(&mut sheet.canvas, row, &row.truth, [last, top]);
+        sheet.canvas.text(row.view.title, [last, top + height + 4], Letters::Bold, INK);
         let strata = row.view.strata;
         let rays = format!("truth: 2 x {strata} x {strata} rays a pixel");
-        canvas.text(&rays, [last, top + height + 22], Letters::Small, INK);
-        legend(&mut canvas, [last, top + height + 48], width);
+        sheet.canvas.text(&rays, [last, top + height + 22], Letters::Small, INK);
+        legend(&mut sheet.canvas, [last, top + height + 48], width);
     }
-    canvas
+    sheet.canvas
 }
 
 fn draw(canvas: &mut Canvas, row: &Row, shown: &[Look], at: [usize; 2]) {

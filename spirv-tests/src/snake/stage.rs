@@ -2,9 +2,9 @@
 //! sky the snake leaves to it and to itself, and eyes.
 
 use super::body::{Body, Ring};
-use super::camera::{Ray, View};
 use super::mesh::Mesh;
-use super::truth::Look;
+use crate::imaging::camera::{Ray, View};
+use crate::imaging::look::Look;
 use crate::imaging::picture::Picture;
 use crate::imaging::pixel::{fill, Pixel};
 use crate::imaging::vector::{cross, difference, dot, length, scaled, sum, unit, Vector};

@@ -1,7 +1,8 @@
 //! The figures as text: a table for the terminal and one for other programs.
 
-use super::judge::{Judged, Quantity};
+use super::judge::Judged;
 use super::method::Method;
+use crate::imaging::look::Quantity;
 use crate::imaging::measure::samples;
 use std::fmt::Write;
 

@@ -1,41 +1,14 @@
 //! What a pixel should be, by rays to the displaced surface: no footprint and no filter is involved.
 
 use super::body::Body;
-use super::camera::{Ray, View};
 use super::mesh::{Hit, Mesh};
 use super::scene::DIRECTION;
 use super::skin::{Skin, SIDE};
+use crate::imaging::camera::{Ray, View};
+use crate::imaging::look::Look;
 use crate::imaging::pixel::{fill, Pixel};
 use prefilter::reference::texture::PiecewiseLinear;
 use prefilter::Irradiance;
-
-/// What a pixel sees of the snake.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Look {
-    /// Mean color.
-    pub color: [f64; 3],
-    /// Mean of color times irradiance over π.
-    pub lit: [f64; 3],
-    /// The share of the pixel that the snake covers; what is seen of it has no meaning where that is 0.
-    pub share: f64,
-}
-
-impl Look {
-    /// What nobody wrote: it shows in every figure.
-    pub const UNKNOWN: Self = Self { color: [f64::NAN; 3], lit: [f64::NAN; 3], share: f64::NAN };
-
-    /// The mean of several looks at a pixel.
-    pub fn mean(looks: &[Self]) -> Self {
-        let share: f64 = looks.iter().map(|look| look.share).sum();
-        let mean = |of: &dyn Fn(&Self) -> [f64; 3]| {
-            std::array::from_fn(|channel| match share {
-                0.0 => 0.0,
-                _ => looks.iter().map(|look| look.share * of(look)[channel]).sum::<f64>() / share,
-            })
-        };
-        Self { color: mean(&|look| look.color), lit: mean(&|look| look.lit), share: share / looks.len() as f64 }
-    }
-}
 
 /// The snake as it is.
 #[derive(Clone, Debug)]
@@ -123,15 +96,5 @@ mod tests {
         assert!((red as f64) < 0.01 * covered, "{red} pixels are red");
         assert!(looks.iter().all(|look| look.lit.iter().zip(look.color).all(|(lit, color)| *lit <= 1.5 * color)));
         Ok(())
-    }
-
-    #[test]
-    fn looks_count_by_what_they_see() {
-        let look = |color: f64, share: f64| Look { color: [color; 3], lit: [2.0 * color; 3], share };
-        let mean = Look::mean(&[look(0.3, 1.0), look(0.6, 0.5), look(9.0, 0.0)]);
-        assert!((mean.color[0] - 0.4).abs() < 1e-12 && (mean.lit[1] - 0.8).abs() < 1e-12);
-        assert!((mean.share - 0.5).abs() < 1e-12);
-        assert_eq!(Look::mean(&[look(0.3, 0.0)]).color, [0.0; 3]);
-        assert!(Look::mean(&[Look::UNKNOWN, look(0.3, 1.0)]).color[0].is_nan());
     }
 }

@@ -1,8 +1,8 @@
-//! From where the snake is seen: a pinhole.
+//! From where things in space are seen: a pinhole.
 
-use crate::imaging::vector::{cross, difference, scaled, sum, unit, Vector};
+use super::vector::{cross, difference, scaled, sum, unit, Vector};
 
-/// A picture of the snake.
+/// A picture of things in space, z being up.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
     /// One word, for tables.
@@ -23,8 +23,6 @@ pub struct View {
     pub enlarged: usize,
     /// Strata an axis of each of the two halves of the truth.
     pub strata: usize,
-    /// Level of the heights that methods see displaced: texels as wide as pixels about.
-    pub level: usize,
 }
 
 /// A ray, and how its way changes from a pixel to the next on the right and the next below.
@@ -63,23 +61,23 @@ impl Ray {
 
 #[cfg(test)]
 mod tests {
-    use super::super::scene::views;
+    use super::super::vector::{dot, length};
     use super::*;
-    use crate::imaging::vector::{dot, length};
 
     #[test]
     fn changes_are_derivatives_of_rays() {
-        for view in views([60, 42], [1; 3]) {
-            let ray = view.ray([7.3, -4.1]);
-            for (place, change) in [[8.3, -4.1], [7.3, -3.1]].into_iter().zip(ray.changes) {
-                let moved = difference(view.ray(place).way, ray.way);
-                assert!(length(difference(moved, change)) < 1e-9, "{}: {moved:?}", view.name);
-            }
-            let middle = view.ray([0.0, 0.0]);
-            let target = unit(difference(view.target, view.eye));
-            assert!((dot(target, middle.back()) + 1.0).abs() < 1e-12, "{}", view.name);
-            // Down in the picture is down in the world.
-            assert!(ray.changes[1][2] < 0.0 && (view.width * view.enlarged, view.height * view.enlarged) == (60, 42));
+        let (eye, target) = ([3.0, -20.0, 9.0], [0.3, -1.2, 0.6]);
+        let view =
+            View { name: "", title: "", eye, target, focal: 70.0, width: 60, height: 42, enlarged: 1, strata: 1 };
+        let ray = view.ray([7.3, -4.1]);
+        for (place, change) in [[8.3, -4.1], [7.3, -3.1]].into_iter().zip(ray.changes) {
+            let moved = difference(view.ray(place).way, ray.way);
+            assert!(length(difference(moved, change)) < 1e-9, "{moved:?}");
         }
+        let middle = view.ray([0.0, 0.0]);
+        let target = unit(difference(view.target, view.eye));
+        assert!((dot(target, middle.back()) + 1.0).abs() < 1e-12);
+        // Down in the picture is down in the world.
+        assert!(ray.changes[1][2] < 0.0);
     }
 }
