@@ -1,5 +1,6 @@
 //! What a driver knows of a function over a footprint: its mean and deviation there, or those of its slopes.
 
+mod bend;
 pub mod cosines;
 pub mod custom;
 pub mod fold;

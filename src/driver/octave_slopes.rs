@@ -13,7 +13,7 @@ impl Noise {
         let Shelf { name, variance, .. } = self.basis.shelf();
         let Self { octaves, gain, lacunarity, .. } = *self;
         let [mean, scale] = self.placed();
-        let Octave { noise, step, before, after } = self.octave();
+        let Octave { noise, step, before, after } = self.octave(&format!("{name}_noise"));
         format!(
             "    // Deviations of the footprint in cells of an octave, and its major axis.
     var deviations = fractal_deviations(across, along);

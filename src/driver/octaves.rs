@@ -24,9 +24,9 @@ pub(super) struct Octave {
 }
 
 impl Noise {
-    /// The noise of an octave and its place, in the plane.
-    pub(super) fn octave(&self) -> Octave {
-        let Shelf { name, periodic, .. } = self.basis.shelf();
+    /// The noise of an octave, of a function of the shelf, and its place, in the plane.
+    pub(super) fn octave(&self, noise: &str) -> Octave {
+        let Shelf { periodic, .. } = self.basis.shelf();
         let seed = apart(self.seed);
         let tile = if periodic { format!(", vec2f({:?})", self.period as f32) } else { String::new() };
         let tile = if self.period > 0 { ", tile".to_owned() } else { tile };
@@ -40,7 +40,7 @@ impl Noise {
             before += &format!("    let step = {step};\n");
         }
         let step = if self.rotation == 0.0 { step } else { "step".to_owned() };
-        Octave { noise: format!("{name}_noise(at{tile}, {seed}u + octave)"), step, before, after }
+        Octave { noise: format!("{noise}(at{tile}, {seed}u + octave)"), step, before, after }
     }
 
     /// The loop over octaves.
@@ -48,10 +48,10 @@ impl Noise {
         let Shelf { name, variance, folded, .. } = self.basis.shelf();
         let Self { octaves, gain, lacunarity, .. } = *self;
         let [mean, scale] = self.placed();
-        let Octave { noise, step, mut before, mut after } = self.octave();
+        let Octave { noise, step, mut before, mut after } = self.octave(&format!("{name}_noise"));
         let weights = match self.method {
-            NoiseMethod::Gradient => format!("{name}_filter(deviations)"),
             NoiseMethod::Stationary => format!("fractal_stationary({name}_lost(vec2f(1.41421356 * deviations.x)))"),
+            NoiseMethod::Gradient | NoiseMethod::Curvature => format!("{name}_filter(deviations)"),
         };
         let (octave, behind) = match self.fold {
             NoiseFold::None => self.straight(&noise, &mut before, &mut after),
@@ -81,20 +81,11 @@ impl Noise {
 
     /// The statements that add an octave as it is, and those behind the loop; adds what stands before and after them.
     fn straight(&self, noise: &str, before: &mut String, after: &mut String) -> (String, String) {
-        let (octaves, [_, back], [last, _]) = (self.octaves, self.turned(1), self.turned(self.octaves as i32));
+        let octaves = self.octaves;
         let mut behind = format!("    sum.rest += select(0.0, power, octave < {octaves}u);\n");
         *before += &format!("    var power = {:?};\n", self.power() as f32);
         if self.method == NoiseMethod::Gradient {
-            *before += &format!("    let back = {back};\n");
-            *after += "        sum.slope = back * sum.slope; // along the next octave's axes\n";
-            behind += &format!(
-                "    for (; octave < {octaves}u; octave++) {{
-        sum.slope = back * sum.slope;
-    }}
-    let last = {last};
-    sum.slope = vec2f(dot(last * across, sum.slope), dot(last * along, sum.slope));
-"
-            );
+            behind += &self.slopes_along(before, after);
         }
         let octave = format!(
             "        if weights.x < {CUT:?} {{
@@ -106,6 +97,22 @@ impl Noise {
 "
         );
         (octave, behind)
+    }
+
+    /// The statements behind the loop that turn the sum's slopes to be along the footprint's vectors; adds what stands
+    /// before it and at the end of each turn.
+    pub(super) fn slopes_along(&self, before: &mut String, after: &mut String) -> String {
+        let (octaves, [_, back], [last, _]) = (self.octaves, self.turned(1), self.turned(self.octaves as i32));
+        *before += &format!("    let back = {back};\n");
+        *after += "        sum.slope = back * sum.slope; // along the next octave's axes\n";
+        format!(
+            "    for (; octave < {octaves}u; octave++) {{
+        sum.slope = back * sum.slope;
+    }}
+    let last = {last};
+    sum.slope = vec2f(dot(last * across, sum.slope), dot(last * along, sum.slope));
+"
+        )
     }
 
     /// The variance of a sum of octaves whose noise has the variance 1.

@@ -31,8 +31,8 @@ pub(super) fn body(of: &Noise, solid: &Solid, [mean, scale]: [f32; 2], variance:
         step = "step".to_owned();
     }
     let weights = match of.method {
-        NoiseMethod::Gradient => format!("{filter}_filter(deviations)"),
         NoiseMethod::Stationary => format!("fractal_stationary({filter}_lost(vec2f(1.41421356 * deviations.x)))"),
+        NoiseMethod::Gradient | NoiseMethod::Curvature => format!("{filter}_filter(deviations)"),
     };
     format!(
         "    // Deviations of the footprint in cells of an octave.

@@ -2,6 +2,8 @@
 //!
 //! Imports nothing of the crate and shares no formula with a shader, so that agreement means something.
 
+pub mod bend;
+pub mod bent_noise;
 pub mod beta;
 pub mod combine;
 pub mod cosines;

@@ -165,6 +165,8 @@ pub(super) fn graded(end: f64) -> Vec<[f64; 2]> {
         from = to;
         to = (to + to.min(0.25)).min(end);
     }
+    // Sums end at the first node that is too far.
+    nodes.sort_by(|one, other| one[0].total_cmp(&other[0]));
     nodes
 }
 

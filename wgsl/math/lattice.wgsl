@@ -27,6 +27,16 @@ fn lattice_fade(t: vec2f) -> vec4f {
     return vec4f(p * p * p * (p * (p * 6.0 - 15.0) + 10.0), 30.0 * steep * steep);
 }
 
+/// The second derivative of that blend along both axes, 60 t (1 − t) (1 − 2t).
+///
+/// Source: as `lattice_fade`.
+/// Domain: t in [0, 1].
+/// Error: 3e-6 absolute; f32 rounding.
+fn lattice_fade_bend(t: vec2f) -> vec2f {
+    let p = clamp(t, vec2f(-1e3), vec2f(1e3));
+    return 60.0 * p * (1.0 - p) * (1.0 - 2.0 * p);
+}
+
 /// A random word of a lattice point, of a field of its own for every seed.
 ///
 /// Source: `hash_pair` of the point, moved by the seed times two odd numbers: ⌊2³²/φ⌋ and one of MurmurHash3's.

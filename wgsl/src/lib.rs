@@ -57,6 +57,8 @@ pub const FILES: &[File] = shelf![
     "visibility/smith.wgsl",
     "visibility/steepness.wgsl",
     "visibility/visibility.wgsl",
+    "driver/bend.wgsl",
+    "driver/bent_noise.wgsl",
     "driver/cosines.wgsl",
     "driver/four_moments.wgsl",
     "driver/gabor.wgsl",

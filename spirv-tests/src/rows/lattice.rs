@@ -40,6 +40,15 @@ pub(super) fn rows() -> Vec<Row> {
             };
             [1.0 - weight(x[0]), 1.0 - weight(x[1]), rise(x[0]), rise(x[1])]
         }),
+        Row::new("lattice_fade_bend", |x| {
+            // Of fourth order: exact for a polynomial of degree 5.
+            const STEP: f64 = 0.05;
+            let fade = |t: f64| t.powi(3) * (10.0 + t * (6.0 * t - 15.0));
+            [x[0], x[1]].map(|t| {
+                let pair = |steps: f64| fade(t + steps * STEP) + fade(t - steps * STEP);
+                (16.0 * pair(1.0) - pair(2.0) - 30.0 * fade(t)) / (12.0 * STEP * STEP)
+            })
+        }),
         Row::new("lattice_word", |x| [f64::from(word(place(x), x[2] as u32))]),
     ]
 }

@@ -3,6 +3,8 @@
 //! A reference is the function's definition by another method: an integral by quadrature, an inverse by bisection. It
 //! never repeats a shader's formula.
 
+mod bend;
+mod bent_noise;
 mod combine;
 mod cosines;
 mod crossing;
@@ -171,6 +173,8 @@ impl Row {
 /// All rows.
 pub fn all() -> Vec<Row> {
     let rooms = [
+        bend::rows(),
+        bent_noise::rows(),
         combine::rows(),
         cosines::rows(),
         crossing::rows(),

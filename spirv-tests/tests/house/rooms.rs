@@ -23,6 +23,7 @@ const INSTEAD: &[(&str, &str, &str)] = &[
     ("wgsl/driver/statistics.wgsl", "src/reference/statistics", "src/reference/moments"),
     ("wgsl/driver/statistics.wgsl", "spirv-tests/src/rows/statistics", "spirv-tests/src/rows/moments"),
     // Noises on lattices are bases of one driver.
+    ("wgsl/driver/bent_noise.wgsl", "src/driver/bent_noise", "src/driver/bend"),
     ("wgsl/driver/fractal.wgsl", "src/driver/fractal", "src/driver/noise"),
     ("wgsl/driver/perlin.wgsl", "src/driver/perlin", "src/driver/noise"),
     ("wgsl/driver/simplex.wgsl", "src/driver/simplex", "src/driver/noise"),

@@ -77,6 +77,7 @@ fn statistics_cost_little_beside_the_noise() -> Outcome {
         Scene::new("rock").texture(map).driver(Driver::Noise(Noise { method, ..Noise::default() })).module()
     };
     let (ours, paper) = (module(NoiseMethod::Gradient)?, module(NoiseMethod::Stationary)?);
+    let bent = module(NoiseMethod::Curvature)?;
     let statistics = "rock_statistics(vec2f(p[0], p[1]), 0.5 * vec2f(p[2], p[3]), 0.5 * vec2f(p[4], p[5]))";
     let run = |module: &Module, call: &str| kernel(&device, module, call);
     let kernels = [
@@ -84,6 +85,7 @@ fn statistics_cost_little_beside_the_noise() -> Outcome {
         run(&ours, "gradient(vec2f(p[0], p[1]))")?,
         run(&ours, statistics)?,
         run(&paper, statistics)?,
+        run(&bent, statistics)?,
     ];
     let even = |size: f32| -> Vec<f32> {
         let place = |at: usize| [(at % 128) as f32 * 0.17, (at / 128) as f32 * 0.17];
@@ -96,11 +98,14 @@ fn statistics_cost_little_beside_the_noise() -> Outcome {
         let all = kernels.iter().map(|kernel| kernel.prepare(&work)).collect::<Result<Vec<_>, _>>()?;
         let times = fastest(&all)?;
         println!(
-            "{name}: {:.0} ns; of the value {:.3}, of value and gradient {:.3}, of the paper's {:.3}",
+            "{name}: {:.0} ns; of the value {:.3}, of value and gradient {:.3}, of the paper's {:.3}; by the curvature \
+             {:.3} of the value, {:.3} of ours",
             1e9 * times[2] / invocations as f64,
             times[2] / times[0],
             times[2] / times[1],
-            times[2] / times[3]
+            times[2] / times[3],
+            times[4] / times[0],
+            times[4] / times[2]
         );
         // The whole plane is asked for; where every pixel resolves something of every octave none is left out.
         let most = if name == "plane" { 1.35 } else { 1.5 };

@@ -20,6 +20,7 @@ fn module(map: &str, tier: Tier, noise: Noise) -> Found<Module> {
 fn errors(device: &Device, map: &str) -> Found<Vec<(&'static str, f64, f64)>> {
     let exact = Tier::ClosedForm(Kernel::Exact);
     let taps = |taps| (exact, Noise { taps, ..Noise::default() });
+    let bent = |taps| (exact, Noise { taps, method: NoiseMethod::Curvature, ..Noise::default() });
     let ways = [
         ("C(f̄)", (Tier::Naive, Noise::default())),
         ("paper", (exact, Noise { method: NoiseMethod::Stationary, ..Noise::default() })),
@@ -27,6 +28,10 @@ fn errors(device: &Device, map: &str) -> Found<Vec<(&'static str, f64, f64)>> {
         ("2 taps", taps(Taps::Two)),
         ("4 taps", taps(Taps::Four)),
         ("8 taps", taps(Taps::Eight)),
+        ("curvature", bent(Taps::One)),
+        ("curvature, 2 taps", bent(Taps::Two)),
+        ("curvature, 4 taps", bent(Taps::Four)),
+        ("curvature, 8 taps", bent(Taps::Eight)),
     ];
     let mut squares = vec![Vec::new(); ways.len() + 2];
     for seed in SEEDS {
@@ -81,14 +86,18 @@ fn one_evaluation_tells_most_of_a_footprint() -> Outcome {
             assert!(error < of(name) / 3.0 && of("truth") < of(name) / 3.0, "{map} {name}: not measured well enough");
         }
         let column = usize::from(map == "steps6");
-        for (name, taps) in
-            [("1 tap", Taps::One), ("2 taps", Taps::Two), ("4 taps", Taps::Four), ("8 taps", Taps::Eight)]
-        {
-            let said = said(Noise { taps, ..Noise::default() })?[column];
-            assert!((said / of(name) - 1.0).abs() < 0.06, "{map} {name}: said is {said}, found {}", of(name));
+        for (method, names) in [
+            (NoiseMethod::Gradient, ["1 tap", "2 taps", "4 taps", "8 taps"]),
+            (NoiseMethod::Curvature, ["curvature", "curvature, 2 taps", "curvature, 4 taps", "curvature, 8 taps"]),
+        ] {
+            for (name, taps) in names.into_iter().zip([Taps::One, Taps::Two, Taps::Four, Taps::Eight]) {
+                let said = said(Noise { taps, method, ..Noise::default() })?[column];
+                assert!((said / of(name) - 1.0).abs() < 0.06, "{map} {name}: said is {said}, found {}", of(name));
+            }
         }
         let said = said(Noise { method: NoiseMethod::Stationary, ..Noise::default() })?[column];
         assert!((said / of("paper") - 1.0).abs() < 0.06, "{map} paper: said is {said}, found {}", of("paper"));
+        assert!(of("curvature") < 0.87 * of("1 tap") && of("curvature, 2 taps") < 0.87 * of("2 taps"));
         assert!(of("1 tap") < 0.8 * of("paper") && of("paper") < 0.5 * of("C(f)") && of("paper") < 0.5 * of("C(f̄)"));
     }
     Ok(())

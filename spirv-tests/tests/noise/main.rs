@@ -1,6 +1,7 @@
 //! Procedural noise on the device: its statistics, its periods, its seeds and its gradient.
 
 mod cost;
+mod curvature;
 mod driver;
 mod figures;
 mod folds;

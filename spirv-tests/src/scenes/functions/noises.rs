@@ -5,8 +5,8 @@ use prefilter::{Driver, HeightTier, Microsurface, Noise, NoiseBasis, NoiseFold, 
 use crate::maps::named;
 use crate::scenes::{Result, FAST};
 
-/// By default, ridged, tiles under several taps, on triangles by the paper's way; heights of a plane and of a tilted
-/// surface, slopes, and tiles of them.
+/// By default, by the curvature, ridged, tiles under several taps, on triangles by the paper's way; heights of a plane
+/// and of a tilted surface, slopes, and tiles of them.
 ///
 /// # Errors
 /// As [`crate::scenes::all`].
@@ -17,7 +17,12 @@ pub(in crate::scenes) fn all() -> Result<Vec<(&'static str, Scene)>> {
     let tilted = Microsurface { mean_slope: true, ..Microsurface::default() };
     let flat = Noise { rotation: 0.0, deviation: 0.05, ..Noise::default() };
     let low = Noise { basis: NoiseBasis::Simplex, deviation: 0.05, taps: Taps::Two, ..Noise::default() };
+    let curved = |noise| rock(Noise { method: NoiseMethod::Curvature, ..noise });
+    let triangles = Noise { basis: NoiseBasis::Simplex, ..Noise::default() };
     Ok(vec![
+        ("noise_curvature", curved(Noise::default()).texture(named("terrain")?)),
+        ("noise_curvature_simplex", curved(triangles).texture(named("terrain")?)),
+        ("noise_curvature_tiles", curved(tiles).texture(named("steps6")?)),
         ("noise_default", rock(Noise::default()).texture(named("terrain")?)),
         ("noise_height", rock(Noise::default()).height(named("terrain")?).height_tier(HeightTier::Gaussian)),
         ("noise_ridged", rock(Noise { fold: NoiseFold::Ridged, ..Noise::default() }).texture(named("terrain")?)),
