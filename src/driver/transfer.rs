@@ -1,7 +1,17 @@
 //! Height transfers between a driver and a filter: the moments of a curve over what a footprint holds, as WGSL.
 
+use crate::accuracy::Ranges;
+use crate::table::transfer::Plan;
+use crate::table::{power, Table};
 use crate::transfer::height_transfer::HeightTransfer;
 use crate::transfer::polynomial::Piece;
+
+/// The most pieces that are summed up one by one: those of five terraces, of which a call counts 3000 operations, as
+/// much as 25 reads of a table. Fewer are worth more than a read, because no table sees bends under a narrow footprint.
+const MOST: usize = 11;
+
+/// What to call the table.
+const TABLE: &str = "transfer";
 
 /// The WGSL function `NAME_transferred(mean: f32, deviation: f32) -> vec4f`, which returns mean and variance of h =
 /// g(f) and of the slope g′(f) over a normal f, piece by piece in closed form; none for a power other than 1, 2 and 3.
@@ -25,12 +35,62 @@ pub fn closed(name: &str, curve: &HeightTransfer) -> Option<String> {
         }
         pieces => sum(pieces),
     };
-    Some(format!(
+    Some(documented(name, "", &body))
+}
+
+/// [`closed`] for curves of up to 11 pieces, else a function of the same name that also takes a table, with that table.
+///
+/// A power takes `transfer: texture_2d<f32>` with a single row, within 1e-4 of all means and deviations. A curve of
+/// many pieces takes `transfer: texture_2d<f32>, transfer_sampler: sampler`, over the ranges of f; the table's error is
+/// in parts of half the ranges of h and of the slope.
+pub fn stage(name: &str, curve: &HeightTransfer, ranges: &Ranges) -> (String, Vec<Table>) {
+    if curve.pieces().is_some_and(|pieces| pieces.len() <= MOST) {
+        return (closed(name, curve).unwrap_or_default(), Vec::new());
+    }
+    let (parameters, body, table) = match curve.exponent() {
+        Some(exponent) if curve.pieces().is_none() => powered(curve, exponent),
+        _ => tabulated(curve, ranges),
+    };
+    (documented(name, parameters, &body), vec![table])
+}
+
+/// A power: its parameters beside mean and deviation, its body and its table.
+fn powered(curve: &HeightTransfer, exponent: f64) -> (&'static str, String, Table) {
+    let [amplitude, offset] = curve.scale();
+    let body = format!(
+        "    let read = transfer_power(mean, deviation, {}, transfer);
+    return vec4f({}) * read + vec4f({}, 0.0, 0.0, 0.0);
+",
+        number(exponent),
+        list(&[amplitude, amplitude * amplitude, amplitude, amplitude * amplitude]),
+        number(offset)
+    );
+    (", transfer: texture_2d<f32>", body, power::table(TABLE, exponent))
+}
+
+/// A curve of many pieces: the same.
+fn tabulated(curve: &HeightTransfer, ranges: &Ranges) -> (&'static str, String, Table) {
+    let plan = Plan::new(curve, ranges.mean, ranges.deviation);
+    let ends = list(&[ranges.mean.0, ranges.mean.1, ranges.deviation].map(f64::from));
+    let [height, slope] = plan.radii;
+    let body = format!(
+        "    let read = transfer_table(mean, deviation, {ends}, transfer, transfer_sampler);
+    return vec4f({}) * read + vec4f({});
+",
+        list(&[height, height * height, slope, slope * slope]),
+        list(&[plan.middles[0], 0.0, plan.middles[1], 0.0])
+    );
+    (", transfer: texture_2d<f32>, transfer_sampler: sampler", body, plan.table(TABLE))
+}
+
+/// The function of a name with these parameters beside mean and deviation.
+fn documented(name: &str, parameters: &str, body: &str) -> String {
+    format!(
         "/// Mean and variance of the height g(f), and of the slope g'(f), over a normal f with this mean and deviation.
-fn {name}_transferred(mean: f32, deviation: f32) -> vec4f {{
+fn {name}_transferred(mean: f32, deviation: f32{parameters}) -> vec4f {{
 {body}}}
 "
-    ))
+    )
 }
 
 /// The statements that return the moments of two pieces or more.

@@ -4,12 +4,14 @@ pub(crate) mod bake;
 pub mod grid;
 mod lattice;
 pub(crate) mod learned;
+pub(crate) mod power;
 pub(crate) mod rice;
 mod rule;
 pub(crate) mod slope_map;
 pub mod slope_nodes;
 mod slope_steps;
 pub(crate) mod strip;
+pub(crate) mod transfer;
 
 /// How a table's texels are stored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

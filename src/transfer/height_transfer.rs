@@ -113,19 +113,19 @@ impl HeightTransfer {
 
     /// The height h at a value of f.
     pub fn height(&self, value: f64) -> f64 {
+        let [amplitude, offset] = self.scale();
         match self.piece(value) {
             Some(piece) => piece.height(value),
-            None => {
-                f64::from(self.offset) + f64::from(self.amplitude) * value.signum() * value.abs().powf(self.exponent())
-            }
+            None => offset + amplitude * value.signum() * value.abs().powf(self.exponent().unwrap_or(1.0)),
         }
     }
 
     /// The slope dh/df at a value of f; where the curve bends, that above the value.
     pub fn slope(&self, value: f64) -> f64 {
+        let exponent = self.exponent().unwrap_or(1.0);
         match self.piece(value) {
             Some(piece) => piece.slope(value),
-            None => f64::from(self.amplitude) * self.exponent() * value.abs().powf(self.exponent() - 1.0),
+            None => self.scale()[0] * exponent * value.abs().powf(exponent - 1.0),
         }
     }
 
@@ -199,12 +199,17 @@ impl HeightTransfer {
         pieces.get(pieces.partition_point(|piece| piece.to <= value)).or(pieces.last())
     }
 
-    fn exponent(&self) -> f64 {
-        if let Shape::Power { exponent } = self.shape {
-            f64::from(exponent)
-        } else {
-            1.0
+    /// The exponent of a power.
+    pub(crate) fn exponent(&self) -> Option<f64> {
+        match self.shape {
+            Shape::Power { exponent } => Some(f64::from(exponent)),
+            _ => None,
         }
+    }
+
+    /// The amplitude and the offset of the curve.
+    pub(crate) fn scale(&self) -> [f64; 2] {
+        [self.amplitude, self.offset].map(f64::from)
     }
 
     /// The least and the greatest of the results at both ends, at the ends of pieces and at turns between them.

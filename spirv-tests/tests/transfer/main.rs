@@ -1,6 +1,7 @@
 //! Height transfer functions: curves, their moments, and the surfaces that they make.
 
 mod curve;
+mod fields;
 mod moments;
 
 use prefilter::{Error, HeightTransfer};

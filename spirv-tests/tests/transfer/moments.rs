@@ -1,9 +1,10 @@
 //! Moments of curves and of their slopes over normal values: what modules hold, against quadrature.
 
 use prefilter::driver::transfer;
-use prefilter::gpu::Device;
+use prefilter::gpu::{Address, Device};
 use prefilter::reference::piece::moments;
-use prefilter::HeightTransfer;
+use prefilter::table::Table;
+use prefilter::{HeightTransfer, Ranges};
 use spirv_tests::fill::rounded;
 use spirv_tests::kernel::Function;
 use spirv_tests::random::Random;
@@ -71,4 +72,60 @@ fn closed_forms_are_the_moments_of_curves() -> Outcome {
         assert!(errors.iter().all(|&error| error <= FIGURE), "{name}: {errors:?}\n{text}");
     }
     Ok(())
+}
+
+/// Powers between the whole ones are as exact, by a table with a single row.
+#[test]
+fn powers_are_the_moments_of_curves() -> Outcome {
+    let device = Device::new()?;
+    for exponent in [1.05, 1.7, 2.5, 6.0] {
+        let curve = HeightTransfer::power(exponent)?.scaled(-0.7, 0.2)?;
+        let (errors, table) = tabulated(&device, &curve, [-1.0, 1.0], &points([-1.0, 1.0], 4000))?;
+        println!("{exponent}: {}, table {:.1e}", errors.map(|error| format!("{error:.1e}")).join(", "), table.error);
+        assert!(errors.iter().all(|&error| error <= FIGURE), "{exponent}: {errors:?}");
+    }
+    Ok(())
+}
+
+/// Curves of many pieces are within what their tables say, and close where footprints are wide against the columns.
+#[test]
+fn tables_keep_their_errors() -> Outcome {
+    let device = Device::new()?;
+    let knots = (0..14u8).map(|knot| (f32::from(knot) / 13.0, f32::from(knot * 7 % 5) / 5.0));
+    let curves = [
+        ("terraces", HeightTransfer::terraces(12, 0.3)?),
+        ("knots", HeightTransfer::knots(knots)?.scaled(3.0, -200.0)?),
+    ];
+    for (name, curve) in curves {
+        let mut random = Random::new(6);
+        // The ranges that a curve over [0, 1] is read in.
+        let mut point = |least: f64| -> Vec<f64> {
+            [2.0 * random.unit() - 0.5, random.between(least, 0.5)].map(|value| rounded(value, Scalar::Float)).to_vec()
+        };
+        let narrow: Vec<_> = (0..2000).map(|_| point(1e-4)).collect();
+        let wide: Vec<_> = (0..2000).map(|_| point(0.05)).collect();
+        let (errors, table) = tabulated(&device, &curve, [0.0, 1.0], &narrow)?;
+        println!("{name}: {}, table {:.1e}", errors.map(|error| format!("{error:.1e}")).join(", "), table.error);
+        // Means in parts of whole ranges; at row 0 bends are steps of the slope.
+        assert!(errors[0].max(errors[2]) <= f64::from(table.error), "{name}: {errors:?}, {}", table.error);
+        let (errors, _) = tabulated(&device, &curve, [0.0, 1.0], &wide)?;
+        println!("{name}, wide: {}", errors.map(|error| format!("{error:.1e}")).join(", "));
+        // A step of eight bits, where deviations are a tenth of the largest or more.
+        assert!(errors.iter().all(|&error| error <= 1.0 / 255.0), "{name}: {errors:?}");
+    }
+    Ok(())
+}
+
+/// The errors of a curve that is read from a table, and the table.
+fn tabulated(
+    device: &Device,
+    curve: &HeightTransfer,
+    span: [f64; 2],
+    points: &[Vec<f64>],
+) -> Result<([f64; 4], Table), Box<dyn std::error::Error + Send + Sync>> {
+    let (text, tables) = transfer::stage("judged", curve, &Ranges { mean: (-0.5, 1.5), deviation: 0.5 });
+    let [table] = tables.as_slice() else { return Err("the curve has no table".into()) };
+    let texture = device.upload(table, Address::Clamp)?;
+    let results = Function::in_text(&text, "judged_transferred")?.results(device, &[&texture], points)?;
+    Ok((errors(curve, span, points, &results), table.clone()))
 }
