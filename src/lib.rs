@@ -82,6 +82,12 @@
 //! nothing where it is off. [`Scene::height_percentile`] takes a map over the share of the surface that lies below a
 //! height instead: the heights' mean and deviation cancel, and any map is exact.
 //!
+//! # Heights by a curve
+//!
+//! [`Scene::transfer`] makes what is filtered the heights h = g(f) of a curve, a [`HeightTransfer`]: exports take the
+//! statistics of f. The slopes of h are a mixture, narrow where the curve is flat; [`TransferTier`]s differ in what
+//! stands for it. `NAME_transferred` has the mean height, by which vertices are displaced.
+//!
 //! # Color by slope
 //!
 //! Facets count by their area in the picture: at grazing angles those that face the view. [`Scene::slope`] averages the
@@ -167,6 +173,7 @@ pub use error::Error;
 pub use filter::combine::Reflectance;
 pub use filter::distribution::Distribution;
 pub use filter::height::{HeightTier, Microsurface};
+pub use filter::height_transfer::TransferTier;
 pub use filter::irradiance::IrradianceTier;
 pub use filter::slope::SlopeTier;
 pub use filter::slope_map::SlopeTaps;

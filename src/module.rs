@@ -1,5 +1,7 @@
 //! What a scene becomes: text, tables, and what is known of them.
 
+use std::collections::BTreeMap;
+
 use crate::accuracy::Bound;
 use crate::cost::Cost;
 use crate::shader::{self, Shader};
@@ -23,6 +25,8 @@ pub struct Module {
     pub(crate) tables: Vec<Table>,
     pub(crate) explanation: String,
     pub(crate) bound: Bound,
+    /// Turns of the loops, by the names of their functions.
+    pub(crate) turns: BTreeMap<String, usize>,
     pub(crate) cost: Cost,
 }
 
@@ -42,6 +46,11 @@ impl Export {
     pub fn parameters(&self) -> Vec<(&str, &str)> {
         let list = self.signature.split_once('(').and_then(|(_, rest)| rest.rsplit_once(')'));
         list.map_or("", |(list, _)| list).split(", ").filter_map(|parameter| parameter.split_once(": ")).collect()
+    }
+
+    /// Whether it has a parameter of this name.
+    pub(crate) fn takes(&self, name: &str) -> bool {
+        self.parameters().iter().any(|(own, _)| *own == name)
     }
 
     /// The type that it returns.

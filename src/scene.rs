@@ -15,7 +15,9 @@ mod leaves;
 mod percentile;
 mod slope;
 mod slope_map;
+mod stage;
 mod steepness;
+mod transferred;
 mod values;
 
 use crate::accuracy::{Accuracy, Ranges};
@@ -23,12 +25,14 @@ use crate::driver::Driver;
 use crate::filter::combine::Reflectance;
 use crate::filter::distribution::Distribution;
 use crate::filter::height::{HeightTier, Microsurface};
+use crate::filter::height_transfer::TransferTier;
 use crate::filter::irradiance::IrradianceTier;
 use crate::filter::slope::SlopeTier;
 use crate::filter::slope_map::{SlopeTaps, RANGES};
 use crate::filter::Tier;
 use crate::module::Module;
 use crate::transfer::color_map::{ColorMap, Colors};
+use crate::transfer::height_transfer::HeightTransfer;
 use crate::transfer::irradiance::Irradiance;
 use crate::transfer::slope_map::SlopeMap;
 use crate::{name, Error};
@@ -77,6 +81,10 @@ pub struct Scene {
     reflectance: Option<Reflectance>,
     #[cfg_attr(feature = "serde", serde(default))]
     microsurface: Microsurface,
+    #[cfg_attr(feature = "serde", serde(default))]
+    transfer: Option<HeightTransfer>,
+    #[cfg_attr(feature = "serde", serde(default))]
+    transfer_tier: Option<TransferTier>,
     colors: Colors,
     tier: Option<Tier>,
     height_tier: Option<HeightTier>,
@@ -106,6 +114,8 @@ impl Scene {
             combination: None,
             reflectance: None,
             microsurface: Microsurface::default(),
+            transfer: None,
+            transfer_tier: None,
             colors: Colors::default(),
             tier: None,
             height_tier: None,
@@ -246,6 +256,9 @@ impl Scene {
         self.chosen_ranges().check()?;
         self.accuracy.map_or(Ok(()), |accuracy| accuracy.check())?;
         self.driver.as_ref().map_or(Ok(()), |driver| driver.check())?;
+        if let Some(curve) = self.curve()? {
+            return self.transferred(curve);
+        }
         if let Some(combination) = &self.combination {
             self.combines()?;
             return self.combined(combination);
@@ -261,6 +274,7 @@ impl Scene {
             tables: chosen.filter.tables,
             explanation,
             bound: chosen.filter.bound,
+            turns: chosen.turns,
             cost: chosen.cost,
         })
     }

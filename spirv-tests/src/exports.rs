@@ -12,12 +12,14 @@ pub struct ExportKernel {
 }
 
 impl ExportKernel {
-    /// The export with the module's own tables, clamped at their edges.
+    /// The export with those of the module's own tables that it takes, clamped at their edges.
     ///
     /// # Errors
     /// What the module or the device refuses.
     pub fn new(device: &Device, module: &Module, export: &Export) -> Result<Self, prefilter::Error> {
-        let textures = module.tables().iter().map(|table| device.upload(table, Address::Clamp));
+        let taken = |name: &str| export.parameters().iter().any(|(parameter, _)| *parameter == name);
+        let tables = module.tables().iter().filter(|table| taken(&table.name));
+        let textures = tables.map(|table| device.upload(table, Address::Clamp));
         let (text, width) = entry(export);
         let kernel = Kernel::new(device, module.link(&text)?.wgsl(), "main")?;
         Ok(Self { kernel, textures: textures.collect::<Result<_, _>>()?, width })

@@ -4,6 +4,7 @@ mod distributions;
 mod functions;
 mod images;
 mod patterns;
+mod transferred;
 
 use prefilter::{
     Accuracy, ColorMap, Colors, Combination, Driver, HeightTier, Irradiance, IrradianceTier, JointMap, Kernel,
@@ -22,6 +23,7 @@ type Result<T> = std::result::Result<T, Box<dyn std::error::Error + Send + Sync>
 pub fn all() -> Result<Vec<(&'static str, Scene)>> {
     let seen = [slopes()?, slope_maps()?, steepnesses()?, irradiances()?, driven_slopes()?].concat();
     let functions = [functions::all()?, images::all()?, distributions::all()?, patterns::all()?].concat();
+    let functions = [functions, transferred::all()?].concat();
     Ok([textures()?, heights()?, seen, combinations()?, functions].concat())
 }
 

@@ -83,7 +83,7 @@ impl Pixel {
 
 /// Two vectors whose squares sum to the pixel's footprint, from the position's screen derivatives: a Cholesky factor of
 /// the pixel's filter.
-pub(super) fn vectors(pixel: Pixel, position_type: &str) -> String {
+pub(crate) fn vectors(pixel: Pixel, position_type: &str) -> String {
     let limited = |derivative: &str| format!("clamp({derivative}, {position_type}(-1e9), {position_type}(1e9))");
     let (right, down) = (limited("dpdx"), limited("dpdy"));
     match pixel {

@@ -17,6 +17,7 @@ pub(crate) mod skewed;
 pub(crate) mod surface;
 pub(crate) mod tails;
 pub(crate) mod tier;
+pub(crate) mod transferred;
 
 use super::texture::{color, number, returned, Filter};
 use crate::accuracy::{Bound, Ranges};

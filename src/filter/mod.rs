@@ -3,6 +3,7 @@
 pub mod combine;
 pub mod distribution;
 pub mod height;
+pub mod height_transfer;
 pub mod irradiance;
 mod knots;
 pub mod percentile;

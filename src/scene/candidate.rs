@@ -78,9 +78,14 @@ pub(super) struct Candidate {
     pub text: Text,
     /// The whole text, validated.
     pub linked: Shader,
+    /// Turns of the loops in the text, by the names of their functions.
+    pub turns: Turns,
     /// That of the most expensive export.
     pub cost: Cost,
 }
+
+/// How often a loop turns, by the name of the function that it is in.
+pub(crate) type Turns = BTreeMap<String, usize>;
 
 /// The functions of a tier.
 #[derive(Default)]
@@ -158,10 +163,15 @@ impl Scene {
         text: Text,
     ) -> Result<Candidate, Error> {
         let linked = self.linked(&format!("{}{}", text.glue, self.foreign()))?;
-        let driven = self.driver.iter().flat_map(|driver| driver.trips());
-        let driven = driven.map(|(function, turns)| (format!("{}_{function}", self.name), turns)).collect();
-        let cost = self.cost(&linked, &self.exports(&text.glue), &filter.tables, filter.trips, driven);
-        Ok(Candidate { label, over, filter, judged, text, linked, cost })
+        let mut turns = self.turns(filter.trips);
+        if let Some(driver) = &self.driver {
+            turns.extend(
+                driver.trips().into_iter().map(|(function, turns)| (format!("{}_{function}", self.name), turns)),
+            );
+            turns.extend(driver.shelf_trips().into_iter().map(|(function, turns)| (function.to_owned(), turns)));
+        }
+        let cost = cost(&linked, &self.exports(&text.glue), &filter.tables, &turns);
+        Ok(Candidate { label, over, filter, judged, text, linked, turns, cost })
     }
 
     /// The whole text, validated.
@@ -177,26 +187,13 @@ impl Scene {
         once_each(self.driver.iter().map(|driver| driver.foreign()))
     }
 
-    /// The cost of the most expensive export; `driven` are the turns of the loops in what drivers write.
-    pub(super) fn cost(
-        &self,
-        linked: &Shader,
-        exports: &[Export],
-        tables: &[Table],
-        trips: usize,
-        driven: Vec<(String, usize)>,
-    ) -> Cost {
-        let mut trips = BTreeMap::from(LOOPS.map(|name| (name.to_owned(), trips)));
-        trips.extend(SIDES.map(|name| (name.to_owned(), 2)));
-        trips.extend(FIXED.map(|(name, turns)| (name.to_owned(), turns)));
-        trips.extend(NODES.map(|export| (format!("{}_{export}", self.name), combine::NODES)));
-        trips.extend(driven);
-        let (module, info) = linked.parsed();
-        let table_bytes = tables.iter().map(Table::bytes).sum();
-        let shelf = self.driver.iter().flat_map(|driver| driver.shelf_trips());
-        trips.extend(shelf.map(|(function, turns)| (function.to_owned(), turns)));
-        let calls = exports.iter().filter_map(|export| cost::call(module, info, &export.name, &trips));
-        Cost { table_bytes, ..calls.max_by_key(|cost| cost.weight()).unwrap_or_default() }
+    /// Turns of the loops in a filter of this scene; `trips` are those over the knots of its maps.
+    pub(super) fn turns(&self, trips: usize) -> Turns {
+        let knots = LOOPS.map(|name| (name.to_owned(), trips));
+        let fixed = SIDES.map(|name| (name, 2)).into_iter().chain(FIXED);
+        let fixed = fixed.map(|(name, turns)| (name.to_owned(), turns));
+        let nodes = NODES.map(|export| (format!("{}_{export}", self.name), combine::NODES));
+        knots.into_iter().chain(fixed).chain(nodes).collect()
     }
 
     /// The export of the driver, where there is one, which calls `NAME_FUNCTION`; `given` are the parameters of that
@@ -238,6 +235,14 @@ impl Scene {
         let all = prefilter_wgsl::declarations(glue).into_iter().map(export);
         all.filter(|export| Some(&export.name) != inner.as_ref() && export.result() != "statistics_surface").collect()
     }
+}
+
+/// The cost of the most expensive export.
+pub(super) fn cost(linked: &Shader, exports: &[Export], tables: &[Table], turns: &Turns) -> Cost {
+    let (module, info) = linked.parsed();
+    let table_bytes = tables.iter().map(Table::bytes).sum();
+    let calls = exports.iter().filter_map(|export| cost::call(module, info, &export.name, turns));
+    Cost { table_bytes, ..calls.max_by_key(|cost| cost.weight()).unwrap_or_default() }
 }
 
 /// Texts behind a glue, equal ones once.

@@ -3,12 +3,13 @@
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
-use super::candidate::{once_each, parameters, Over};
+use super::candidate::{cost, once_each, parameters, Over};
 use super::combination::{Combination, Expression};
 use super::layer::{listed, literal, mentions, once, shared, Layer, STATISTICS};
 use super::leaves::Leaves;
 use super::Scene;
 use crate::accuracy::Bound;
+use crate::driver::slope_moments::area;
 use crate::filter::combine::{joint, Reflectance, GIVEN_DIRECTION, GIVEN_HEIGHTS, GIVEN_SLOPES, GIVEN_VALUES};
 use crate::filter::combine::{GIVEN_REFLECTANCE, INVERSE_PI, LAMBERT};
 use crate::filter::height::glue::shares;
@@ -59,7 +60,12 @@ impl Scene {
             glue += &combined.radiance(reflectance)?;
         }
         let drivers = self.drivers(&combined.layers)?;
-        glue += &self.driven_together(&drivers, &self.exports(&glue), combined.color_type(), &combined.weights)?;
+        glue += &self.driven_together(
+            &drivers,
+            &self.exports(&glue),
+            &area("m.slope", "m.slope_covariance"),
+            &combined.weights,
+        )?;
         let exports = self.exports(&glue);
         glue += &combined.functions(filters.first());
         let foreign = once_each(drivers.iter().map(|driven| driven.driver.foreign()));
@@ -67,10 +73,12 @@ impl Scene {
         let mut tables: Vec<Table> = combined.layers.iter().flat_map(|layer| layer.tables.clone()).collect();
         tables.extend(filters.into_iter().flat_map(|filter| filter.tables));
         let trips = combined.layers.iter().map(|layer| layer.chosen.filter.trips).max().unwrap_or(1);
-        let cost = self.cost(&linked, &exports, &tables, trips, self.turns(&drivers));
+        let mut turns = self.turns(trips);
+        turns.extend(self.driven_turns(&drivers));
+        let cost = cost(&linked, &exports, &tables, &turns);
         let bound = combined.bound(expression);
         let explanation = self.explain_combined(&combined.layers, &drivers, bound, cost);
-        Ok(Module { name: self.name.clone(), exports, glue, foreign, linked, tables, explanation, bound, cost })
+        Ok(Module { name: self.name.clone(), exports, glue, foreign, linked, tables, explanation, bound, turns, cost })
     }
 }
 

@@ -5,13 +5,12 @@ use std::collections::BTreeSet;
 use super::layer::{mentions, Layer};
 use super::Scene;
 use crate::driver::function::{Evaluation, Function};
-use crate::driver::slope_moments::area;
 use crate::driver::Driver;
 use crate::module::Export;
 use crate::Error;
 
-/// Exports of a combination that a driver may call, the more of the picture the later.
-const CALLED: [&str; 3] = ["combined", "lit", "radiance"];
+/// Exports that drivers may call together, the more of the picture the later.
+const CALLED: [&str; 8] = ["height", "slope", "slope_map", "steepness", "irradiance", "combined", "lit", "radiance"];
 
 /// A driver of a combination.
 pub(super) struct Driven<'a> {
@@ -26,6 +25,11 @@ impl Driven<'_> {
     /// What no bound covers with it.
     pub fn gap(&self) -> &str {
         &self.function.gap
+    }
+
+    /// Whether it has several taps.
+    pub(super) fn takes_several(&self) -> bool {
+        self.function.taps.count() > 1
     }
 
     /// The name of the statistics in the body of the export.
@@ -89,7 +93,25 @@ impl Scene {
         Ok(all)
     }
 
+    /// The driver of a scene whose statistics are those of values and of their slopes.
+    ///
+    /// # Errors
+    /// A driver that reads images, whose statistics the caller passes; one that does not know slopes.
+    pub(super) fn driver_of_slopes(&self) -> Result<Vec<Driven<'_>>, Error> {
+        let Some(driver) = &self.driver else { return Ok(Vec::new()) };
+        match driver.function(true).filter(|_| driver.knows_slopes()) {
+            Some(function) => Ok(vec![Driven { layer: None, driver, function }]),
+            None => {
+                let (name, gives) = (&self.name, driver.gives());
+                let what = format!("the scene `{name}` has a `transfer`, which needs a function and its slopes");
+                Err(Error::Conflict(format!("{what}; its driver gives {gives}")))
+            }
+        }
+    }
+
     /// The functions of the drivers and `NAME_color`, which calls the export that shows the most.
+    ///
+    /// `area` is the expression of a tap's area in the picture.
     ///
     /// # Errors
     /// A driver none of whose statistics the export takes, a weight whose name it has for something else.
@@ -97,7 +119,7 @@ impl Scene {
         &self,
         drivers: &[Driven<'_>],
         exports: &[Export],
-        color_type: &str,
+        area: &str,
         weights: &[String],
     ) -> Result<String, Error> {
         let called = |name: &str| exports.iter().find(|export| export.name == format!("{}_{name}", self.name));
@@ -126,8 +148,8 @@ impl Scene {
             reads: &reads,
             named: &[],
             color: &format!("{}({})", called.name, arguments.join(", ")),
-            weight: sees.then(|| area("m.slope", "m.slope_covariance")),
-            color_type,
+            weight: sees.then(|| area.to_owned()),
+            color_type: called.result(),
             dimensions: function.dimensions,
             taps: function.taps,
             pixel: function.pixel,
@@ -145,7 +167,7 @@ impl Scene {
     }
 
     /// Turns of the loops in the functions of drivers, by their names.
-    pub(super) fn turns(&self, drivers: &[Driven<'_>]) -> Vec<(String, usize)> {
+    pub(super) fn driven_turns(&self, drivers: &[Driven<'_>]) -> Vec<(String, usize)> {
         let of = |driven: &Driven<'_>| {
             let Function { taps, trips, .. } = driven.function;
             let statistics = format!("{}_{}", driven.prefix(&self.name), driven.function.suffix());

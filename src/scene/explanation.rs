@@ -6,6 +6,7 @@ use std::fmt::Write;
 use super::candidate::{Candidate, Over};
 use super::driven::Driven;
 use super::layer::Layer;
+use super::stage::Stage;
 use super::Scene;
 use crate::accuracy::{Bound, Ranges};
 use crate::cost::Cost;
@@ -13,6 +14,7 @@ use crate::driver::Driver;
 use crate::filter::combine::Reflectance;
 use crate::filter::distribution::Distribution;
 use crate::filter::height::{self, surface, tier, HeightTier};
+use crate::filter::height_transfer::TransferTier;
 use crate::filter::slope::SlopeTier;
 use crate::filter::{irradiance, slope, steepness};
 use crate::transfer::color_map::ColorMap;
@@ -101,6 +103,24 @@ impl Scene {
         text
     }
 
+    /// What a scene of transferred heights says of itself, before what that of the heights says.
+    pub(super) fn explain_transferred(&self, stage: &Stage, bound: Bound, cost: Cost, heights: &str) -> String {
+        let Stage { tier, nodes, ranges: Ranges { mean: (low, high), deviation }, .. } = stage;
+        let mut text = format!("{}: heights h = g(f) by {tier}\n  error   {bound}\n", self.name);
+        if let Some(nodes) = nodes {
+            let (step, narrow) = (nodes.table.error, (high - low) / (nodes.means[2] - 1.0));
+            let _ =
+                writeln!(text, "  covers  f of means {low} to {high} and deviations from {narrow:.1e} to {deviation}");
+            let _ =
+                writeln!(text, "  nodes   read between texels, a step of slopes errs by {step:.1e} of the mixture's");
+        }
+        let _ = writeln!(text, "  cost    {cost} a call");
+        let tier = if *tier == TransferTier::Paper { PAPER } else { "" };
+        let gap = self.driver.as_ref().map_or(String::new(), |driver| format!(";\n    {}", driver.gap(true)));
+        let _ = writeln!(text, "  not in the error: {NORMAL}{tier}{gap}");
+        text + heights
+    }
+
     /// What the bound of a tier of heights is made of, and the Λ and deviations that it holds for.
     fn covered(&self, tier: HeightTier, map: &ColorMap) -> String {
         let floor = tier::floor(tier, self.chosen_ranges());
@@ -182,6 +202,14 @@ const TOGETHER: &str =
 const INDEPENDENT: &str =
     "what that of each layer alone does not cover, and how far heights, slopes and values of\n    \
                            different layers are from independent";
+
+/// What the bound of a scene of transferred heights does not cover.
+const NORMAL: &str = "how far f and its slopes are from normal and from independent at a point";
+
+/// What the paper's tier leaves out besides; `spirv-tests/tests/slope_nodes` measures it.
+const PAPER: &str = ";
+    how far h and its slopes are from normal: steps of slopes err by up to 0.2 where the curve is a smooth
+    step over four deviations of f, and by 0.4 where f rises into it";
 
 /// What the bound of a filter without a driver does not cover.
 const UNDRIVEN: &str = "how far a pixel's values are from";

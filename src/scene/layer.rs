@@ -87,6 +87,9 @@ impl Scene {
         if scene.microsurface != Microsurface::default() {
             return refused("has a microsurface, which a layer takes from its combination");
         }
+        if scene.transfer.is_some() || scene.transfer_tier.is_some() {
+            return refused("has a transfer, which a layer takes from its combination");
+        }
         let name = format!("{}_{}", self.name, scene.name);
         // A layer of its own accuracy keeps it.
         let share = |accuracy: Accuracy| Accuracy { max_filter_error: share as f32, ..accuracy };

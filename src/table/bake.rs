@@ -42,6 +42,11 @@ fn strips() -> &'static [Strip] {
     })
 }
 
+/// Where a map bends.
+pub(super) fn bends(map: &PiecewiseLinear) -> Vec<f64> {
+    map.knots.iter().map(|knot| knot.0).collect()
+}
+
 /// The smallest and the largest value of each channel.
 fn hull(map: &PiecewiseLinear) -> [[f64; 2]; 4] {
     std::array::from_fn(|channel| {
@@ -69,7 +74,7 @@ impl Plan<'_> {
         let truth = |mean: f64, part: f64| beta(mean, part).mean_by_parts(self.map);
         let texels = lattice.texels(|_, mean, part| near(mean, part));
         let judged = Judged { low, high, least: FLOOR, third: 0.0 };
-        let error = lattice.error(&texels, self.map, judged, near, truth);
+        let error = lattice.error(&texels, &bends(self.map), judged, near, truth);
         lattice.table(name, texels, error)
     }
 
@@ -86,7 +91,7 @@ impl Plan<'_> {
         let truth = |mean: f64, deviation: f64| taught(mean_by_parts(self.map, mean, deviation), mean, deviation);
         let texels = lattice.texels(|_, mean, deviation| near(mean, deviation));
         let judged = Judged { low: self.judged.0.into(), high: self.judged.1.into(), least: FLOOR, third: 0.0 };
-        let error = lattice.error(&texels, self.map, judged, near, truth);
+        let error = lattice.error(&texels, &bends(self.map), judged, near, truth);
         lattice.table(name, texels, error)
     }
 
@@ -113,7 +118,7 @@ impl Plan<'_> {
             let scale = line / strip.deviation;
             height::mean_by_parts(self.map, at - scale * strip.mean, scale, strip.lambda)
         };
-        lattice.error(texels, self.map, judged, near, truth)
+        lattice.error(texels, &bends(self.map), judged, near, truth)
     }
 }
 
@@ -137,7 +142,7 @@ mod tests {
         let truth = |mean: f64, deviation: f64| Beta::new([0.0, 1.0], mean, deviation).mean_by_parts(&map);
         let texels = lattice.texels(|_, mean, deviation| near(mean, deviation));
         let judged = Judged { low: 0.0, high: 1.0, least: FLOOR, third: 0.0 };
-        let by_deviations = lattice.error(&texels, &map, judged, near, truth);
+        let by_deviations = lattice.error(&texels, &bends(&map), judged, near, truth);
         assert!(by_parts.error * 3.0 < by_deviations, "{} {by_deviations}", by_parts.error);
     }
 }

@@ -2,7 +2,6 @@
 
 use super::grid::{Axis, Spacing};
 use super::{Format, Level, Sampling, Table};
-use crate::reference::texture::PiecewiseLinear;
 
 /// The third axis of a flat table.
 pub(super) const FLAT: Axis = Axis { low: 0.0, high: 1.0, count: 1, spacing: Spacing::Linear };
@@ -51,21 +50,21 @@ impl Lattice {
     }
 
     /// The largest difference between a filtered read and the color: on the first and the last row, between rows and on
-    /// the least, over the centers of all cells of columns, the map's knots, where it bends, and even places. `near`
+    /// the least, over the centers of all cells of columns, where the color `bends`, and even places. `near`
     /// finds the worst place of each line, on which `truth` has the last word.
     pub(super) fn error(
         self,
         texels: &[f32],
-        map: &PiecewiseLinear,
+        bends: &[f64],
         judged: Judged,
         near: impl Fn(f64, f64) -> [f64; 4] + Sync,
         truth: impl Fn(f64, f64) -> [f64; 4] + Sync,
     ) -> f32 {
         let (Self([columns, deviations, _]), Judged { low, high, least, third }) = (self, judged);
         let centers = (0..columns.count - 1).map(|column| columns.value(column as f64 + 0.5));
-        let knots = map.knots.iter().map(|knot| knot.0);
         let even = (0..=EVEN).map(|index| low + (high - low) * f64::from(index) / f64::from(EVEN));
-        let places: Vec<f64> = centers.chain(knots).chain(even).filter(|at| (low..=high).contains(at)).collect();
+        let places: Vec<f64> =
+            centers.chain(bends.iter().copied()).chain(even).filter(|at| (low..=high).contains(at)).collect();
         let between = (0..deviations.count - 1).map(|row| deviations.value(row as f64 + 0.5));
         let ends = [least, deviations.value(0.0), deviations.high];
         let lines: Vec<f64> = between.chain(ends).filter(|&line| line >= least).collect();

@@ -12,6 +12,7 @@ pub mod slope_nodes;
 mod slope_steps;
 pub(crate) mod strip;
 pub(crate) mod transfer;
+pub(crate) mod transferred;
 
 /// How a table's texels are stored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -1,6 +1,7 @@
 //! Tables of a map's means over distributions of Rice, baked with a polynomial for the Bessel function and judged by
 //! quadrature over angles.
 
+use super::bake::bends;
 use super::grid::Axis;
 use super::lattice::{Judged, Lattice, FLAT};
 use super::Table;
@@ -34,7 +35,7 @@ impl Plan<'_> {
         let judged = Judged { low: 0.0, high: self.highest, least: self.floor, third: 0.0 };
         let near = |at: f64, line: f64| mean(self.map, at, line);
         let truth = |at: f64, line: f64| rice_mean(self.map, at, line);
-        let error = lattice.error(&texels, self.map, judged, near, truth);
+        let error = lattice.error(&texels, &bends(self.map), judged, near, truth);
         lattice.table(name, texels, error)
     }
 }

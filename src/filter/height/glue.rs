@@ -2,7 +2,7 @@
 
 use super::surface::{shared, Microsurface, RISE};
 use super::tier::HeightTier;
-use crate::filter::shared::statements;
+use crate::filter::shared::{statements, Shared};
 use crate::filter::texture::{color_type, Filter};
 use crate::transfer::color_map::ColorMap;
 
@@ -54,37 +54,61 @@ fn {name}_height({}{}{}, view: vec3f{light}{parameters}) -> {} {{
     }
 }
 
-/// `NAME_visibility` and `NAME_masking`, where the surface has them.
+/// `NAME_visibility` and `NAME_masking`, where the surface has them, by Smith's model of normal slopes.
 pub(crate) fn shares(name: &str, tier: HeightTier, surface: Microsurface) -> String {
-    let mut text = String::new();
-    let shared = shared(tier, surface);
-    let within = |hotspot| within(tier, hotspot, surface);
-    let slopes = slopes(surface);
-    if surface.shadowing {
-        text += &format!(
-            "
+    let within = [false, true].map(|hotspot| within(tier, hotspot, surface));
+    Shares { name, surface, before: "", shared: shared(tier, surface), statistics: "", tables: "", within }.text()
+}
+
+/// What the functions of the shares that are seen and lit are made from.
+pub(crate) struct Shares<'a> {
+    /// The scene's name.
+    pub name: &'a str,
+    /// What hides parts of the surface.
+    pub surface: Microsurface,
+    /// Statements before those of what is shared.
+    pub before: &'a str,
+    /// `seen` and `lit`.
+    pub shared: Vec<Shared>,
+    /// Parameters before the slopes', each with a comma behind.
+    pub statistics: &'a str,
+    /// Parameters of tables, each with a comma in front.
+    pub tables: &'a str,
+    /// What is said of the error, without and with a correlation of view and light.
+    pub within: [String; 2],
+}
+
+impl Shares<'_> {
+    /// `NAME_visibility` and `NAME_masking`, where the surface has them.
+    pub(crate) fn text(&self) -> String {
+        let Self { name, surface, before, shared, statistics, tables, within: [within, correlated] } = self;
+        let slopes = slopes(*surface);
+        let mut text = String::new();
+        if surface.shadowing {
+            text += &format!(
+                "
 /// Share of what the view sees of `{name}` that is lit: 0 below a horizon. {}
-fn {name}_visibility({slopes}, view: vec3f, light: vec3f) -> f32 {{
-{}    return visibility_shadowing(seen, lit);
+fn {name}_visibility({statistics}{slopes}, view: vec3f, light: vec3f{tables}) -> f32 {{
+{before}{}    return visibility_shadowing(seen, lit);
 }}
 ",
-            within(surface.hotspot),
-            statements(&shared)
-        );
-    }
-    if surface.masking {
-        text += &format!(
-            "
-/// Share of `{name}` that the view sees: 0 below the horizon. {}
-fn {name}_masking({slopes}, view: vec3f) -> f32 {{
-{}    return visibility_masking(seen);
+                if surface.hotspot { correlated } else { within },
+                statements(shared)
+            );
+        }
+        if surface.masking {
+            text += &format!(
+                "
+/// Share of `{name}` that the view sees: 0 below the horizon. {within}
+fn {name}_masking({statistics}{slopes}, view: vec3f{tables}) -> f32 {{
+{before}{}    return visibility_masking(seen);
 }}
 ",
-            within(false),
-            statements(&shared[..1])
-        );
+                statements(&shared[..1])
+            );
+        }
+        text
     }
-    text
 }
 
 /// What shares may be off by: the error of a Λ relative to 1 + Λ, twice that and 6e-6 of the independence of azimuths
@@ -136,7 +160,7 @@ pub(crate) fn given(surface: Microsurface) -> String {
 }
 
 /// The parameters of the slopes' statistics.
-fn slopes(surface: Microsurface) -> &'static str {
+pub(super) fn slopes(surface: Microsurface) -> &'static str {
     if surface.mean_slope {
         "mean_slope: vec2f, slope_covariance: vec3f"
     } else {

@@ -35,16 +35,20 @@ impl Default for Microsurface {
     }
 }
 
-/// `seen` and `lit`, the Λ of the view and what the light adds to it.
+/// `seen` and `lit`, the Λ of the view and what the light adds to it, by Smith's model of normal slopes.
 pub(crate) fn shared(tier: HeightTier, surface: Microsurface) -> Vec<Shared> {
     let function = if tier == HeightTier::Exact { "smith_lambda" } else { "smith_lambda_fast" };
-    let of = |direction: &str| {
+    shared_by(surface, &|direction| {
         if surface.mean_slope {
             format!("{function}(smith_parameter({direction}, slope_covariance, mean_slope))")
         } else {
             format!("{function}(smith_parameter_level({direction}, slope_covariance))")
         }
-    };
+    })
+}
+
+/// The same by the expression of a direction's Λ.
+pub(crate) fn shared_by(surface: Microsurface, of: &dyn Fn(&str) -> String) -> Vec<Shared> {
     let mut shared = vec![Shared::new("seen", "f32", of("view"))];
     if surface.shadowing && surface.hotspot {
         shared.push(Shared::new("apart", "f32", "visibility_independence(view, light)"));

@@ -1,0 +1,127 @@
+//! Colors by the heights h = g(f) that a curve makes, from a table over mean and deviation of f and what hides them.
+//!
+//! At a height h the share exp(−Λ X) of the surface is visible, with X = ∫ |g′|/E|g′| d(ln P) over all that is higher,
+//! P being the share of the surface below a height: Smith's model for slopes that depend on the height, to first order.
+//! For a line X = −ln Φ, as of heights that are normal.
+
+use super::glue::{slopes, Shares};
+use super::surface::{lambda, shared_by, step_error, Microsurface};
+use super::tails::tails;
+use super::tier::{self, HeightTier};
+use super::variation;
+use crate::accuracy::{Bound, Ranges};
+use crate::filter::height_transfer::{self, Nodes};
+use crate::filter::shared::statements;
+use crate::filter::texture::{color_type, number, swizzle, Filter};
+use crate::table::grid::{Axis, Spacing};
+use crate::table::transferred::{Plan, HIDING};
+use crate::transfer::color_map::{ColorMap, Colors};
+use crate::transfer::height_transfer::HeightTransfer;
+use crate::Error;
+
+/// Nodes along the mean and along the deviation of f.
+const MEANS: usize = 128;
+const DEVIATIONS: usize = 24;
+
+/// How many columns of the table a deviation of f covers from which on it is read; below, h is taken for normal.
+const NARROW: f64 = 1.5;
+
+/// The filter by the table, and the function that it calls for narrow footprints, over which a curve is nearly a line:
+/// `NAME_level`, the color by normal heights, of the moments that `transferred` is the expression of.
+///
+/// # Errors
+/// As of [`tails`].
+pub(crate) fn transferred(
+    name: &str,
+    map: &ColorMap,
+    colors: Colors,
+    curve: &HeightTransfer,
+    surface: Microsurface,
+    transferred: &str,
+) -> Result<(Filter, String), Error> {
+    let ranges = Ranges::of_transfer(curve);
+    let reference = map.reference();
+    let (low, high) = (f64::from(ranges.mean.0), f64::from(ranges.mean.1));
+    let means = Axis::fitted(low, high, MEANS, &Plan::changes(&reference, curve, (low, high))).in_f32();
+    let most = f64::from(ranges.deviation);
+    let deviations = Axis { low: 0.0, high: most, count: DEVIATIONS, spacing: Spacing::CubeRoot };
+    let narrow = (NARROW * (means.high - means.low) / (MEANS - 1) as f64).min(0.25 * most);
+    let table = Plan { map: &reference, curve, means, deviations }.table("table", narrow);
+    let near = tails(map, colors, surface, Ranges::of(map))?;
+    let given = if surface.shadowing { ["seen, lit", "seen: f32, lit: f32"] } else { ["seen", "seen: f32"] };
+    let low = number(narrow as f32);
+    let (color, channels) = (color_type(map.channels()), swizzle(map));
+    let arguments: String = near.tables.iter().map(|table| format!(", {}", table.name)).collect();
+    let body = format!(
+        "    let wide = {}{channels};
+    let part = clamp((deviation - {low}) / {low}, 0.0, 1.0);
+    if part >= 1.0 {{
+        return wide;
+    }}
+    // The curve is nearly a line over the footprint, whose heights are nearly normal.
+    let h = {transferred};
+    return mix({name}_level(h.x, sqrt(h.y), {}{arguments}), wide, part);
+",
+        read([means, deviations], lambda(surface)),
+        given[0]
+    );
+    let parameters: String =
+        near.tables.iter().map(|table| format!(", {}: {}", table.name, table.wgsl_type())).collect();
+    let level = format!(
+        "
+/// Mean color over normal heights of which the shares that Λ of view and light leave are visible.
+fn {name}_level(mean: f32, deviation: f32, {}{parameters}) -> {color} {{
+{}}}
+",
+        given[1], near.body
+    );
+    let step = step_error(HeightTier::Skewed, surface, tier::rounded(HeightTier::Skewed, ranges));
+    let bound = 2.0 * f64::from(table.error) + step * variation(map);
+    let tables = near.tables.into_iter().chain([table]).collect();
+    Ok((Filter { body, bound: Bound::Estimated(bound as f32), tables, trips: near.trips }, level))
+}
+
+/// The expression that reads the table, of `mean`, `deviation` and an expression of Λ.
+fn read([means, deviations]: [Axis; 2], lambda: &str) -> String {
+    let numbers = |values: &[f64]| values.iter().map(|&value| number(value as f32)).collect::<Vec<_>>().join(", ");
+    let column = numbers(&[means.low, means.high, means.count as f64]);
+    let row = numbers(&[deviations.high, deviations.count as f64]);
+    let slice = numbers(&[HIDING.low, HIDING.high, HIDING.count as f64]);
+    let hiding = format!("log2(1.0 + clamp({lambda}, 0.0, 1e6))");
+    let place =
+        format!("vec3f(grid_linear(mean, {column}), grid_cube_root(deviation, {row}), grid_linear({hiding}, {slice}))");
+    format!("textureSampleLevel(table, table_sampler, {place}, 0.0)")
+}
+
+/// `NAME_height` and the shares that are seen and lit; `tables` are their parameters: of all, and of the nodes alone.
+pub(crate) fn glue(
+    name: &str,
+    map: &ColorMap,
+    surface: Microsurface,
+    nodes: &Nodes,
+    body: &str,
+    tables: [&str; 2],
+) -> String {
+    let mean_slope = if surface.mean_slope { "mean_slope" } else { "vec2f()" };
+    let shared = shared_by(surface, &|direction| height_transfer::lambda(direction, mean_slope));
+    let (light, who) = if surface.shadowing { (", light: vec3f", "seen and lit") } else { ("", "seen") };
+    let (before, [all, own]) = (nodes.read(2), tables);
+    let height = format!(
+        "/// Mean color of `{name}` over the heights h = g(f) that are {who}, from a table.
+///
+/// `mean` and `deviation` are those of f, and so are the slopes'; positions of the map are heights. Directions are unit
+/// vectors away from the surface, z along its normal. Below a horizon the color is that of the highest heights.
+fn {name}_height(mean: f32, deviation: f32, {}, view: vec3f{light}{all}) -> {} {{
+{before}{}{body}}}
+",
+        slopes(surface),
+        color_type(map.channels()),
+        statements(&shared),
+    );
+    let within = [(); 2].map(|()| WITHIN.to_owned());
+    let statistics = "mean: f32, deviation: f32, ";
+    height + &Shares { name, surface, before: &before, shared, statistics, tables: own, within }.text()
+}
+
+/// What is said of the error of shares.
+const WITHIN: &str = "By Smith's model\n/// for the slopes of all nodes.";

@@ -1,0 +1,216 @@
+//! The stage between driver and filter: filters of the heights h = g(f), of the statistics of f.
+
+use super::candidate::{cost, once_each, parameters, Turns};
+use super::stage::{Moments, Stage};
+use super::Scene;
+use crate::accuracy::{Bound, Ranges};
+use crate::driver::transfer;
+use crate::filter::height::{transferred, variation};
+use crate::filter::height_transfer::{Nodes, TransferTier};
+use crate::module::Module;
+use crate::table::Table;
+use crate::transfer::color_map::ColorMap;
+use crate::transfer::height_transfer::HeightTransfer;
+use crate::Error;
+
+/// Exports of transferred heights, before those of the driver.
+struct Exports {
+    /// The functions to call.
+    glue: String,
+    /// The functions behind them.
+    behind: String,
+    tables: Vec<Table>,
+    turns: Turns,
+    bound: Bound,
+    foreign: String,
+    /// What is said of the filter of h.
+    explanation: String,
+}
+
+impl Scene {
+    /// Heights h = g(f): what the scene filters are the heights that a curve g makes of f, and their slopes.
+    ///
+    /// Every export then takes `mean` and `deviation` of f, where it has heights or not, and mean and covariance of the
+    /// slopes of f; a driver is one of f and its slopes. Positions of color maps, and [`Self::ranges`], are of h, as
+    /// ever. Besides them there is `NAME_transferred(mean, deviation, …)`: mean and variance of h, mean and variance of
+    /// g′. Its first component is the mean height, which displaces vertices; with a driver it is that of
+    /// `NAME_displacement(position, dpdx, dpdy, …)`, a vertex passing the ways to its neighbors for derivatives.
+    ///
+    /// Of [`Self::height`], [`Self::slope`], [`Self::slope_map`], [`Self::steepness`] and [`Self::irradiance`]; of
+    /// [`Self::height_percentile`] and [`Self::combination`] by [`TransferTier::Paper`] alone.
+    ///
+    /// ```
+    /// use prefilter::{ColorMap, HeightTransfer, Scene, TransferTier};
+    /// let moss = ColorMap::gradient([(0.0, [0.05, 0.1, 0.02]), (1.0, [0.4, 0.5, 0.1])])?;
+    /// let cushions = HeightTransfer::smoothstep(0.0, 1.2)?;
+    /// let module = Scene::new("moss").height(moss).transfer(cushions).transfer_tier(TransferTier::Paper).module()?;
+    /// assert_eq!(
+    ///     module.exports()[0].signature,
+    ///     "fn moss_height(mean: f32, deviation: f32, slope_covariance: vec3f, view: vec3f, light: vec3f) -> vec3f"
+    /// );
+    /// # Ok::<(), prefilter::Error>(())
+    /// ```
+    #[must_use]
+    pub fn transfer(self, transfer: HeightTransfer) -> Self {
+        Self { transfer: Some(transfer), ..self }
+    }
+
+    /// This tier of transferred heights. Default: three nodes, or as many of two to four as the accuracy asks for;
+    /// where they do not go with what is filtered, or tables are forbidden, the paper's.
+    #[must_use]
+    pub fn transfer_tier(self, tier: TransferTier) -> Self {
+        Self { transfer_tier: Some(tier), ..self }
+    }
+
+    /// The curve, where the scene has one.
+    ///
+    /// # Errors
+    /// A tier of transfers without one.
+    pub(super) fn curve(&self) -> Result<Option<&HeightTransfer>, Error> {
+        match (&self.transfer, self.transfer_tier) {
+            (None, Some(tier)) => {
+                let what =
+                    format!("the scene `{}` has {tier}, a tier of transferred heights, and no `transfer`", self.name);
+                Err(Error::Conflict(what))
+            }
+            (curve, _) => Ok(curve.as_ref()),
+        }
+    }
+
+    /// The module of a scene of transferred heights.
+    ///
+    /// # Errors
+    /// Values, which are not heights; drivers that do not know slopes; what the scene of heights is refused for.
+    pub(super) fn transferred(&self, curve: &HeightTransfer) -> Result<Module, Error> {
+        let stage = self.stage(curve)?;
+        let Exports { mut glue, behind, mut tables, mut turns, bound, foreign, explanation } =
+            match (&stage.nodes, &self.height) {
+                (Some(nodes), Some(map)) => self.of_nodes(map, curve, &stage, nodes)?,
+                _ => self.around(&stage)?,
+            };
+        glue += &format!("\n{}", stage.moments.text);
+        tables.extend(stage.moments.tables.iter().cloned());
+        tables.extend(stage.nodes.iter().map(|nodes| nodes.table.clone()));
+        let drivers = self.driver_of_slopes()?;
+        if let Some(driven) = drivers.first() {
+            let exports = self.exports(&glue);
+            if driven.takes_several() && exports.iter().any(|export| export.takes("mean_slope")) {
+                glue += &stage.area();
+            }
+            glue += &self.driven_together(&drivers, &exports, &stage.area_of_tap(), &[])?;
+            glue += &stage.displacement(driven.driver);
+            turns.extend(self.driven_turns(&drivers));
+        }
+        let exports = self.exports(&glue);
+        glue += &behind;
+        let foreign = once_each([foreign.as_str(), &self.foreign()].into_iter());
+        let linked = self.linked(&format!("{glue}{foreign}"))?;
+        let cost = cost(&linked, &exports, &tables, &turns);
+        let explanation = self.explain_transferred(&stage, bound, cost, &explanation);
+        Ok(Module { name: self.name.clone(), exports, glue, foreign, linked, tables, explanation, bound, turns, cost })
+    }
+
+    fn stage(&self, curve: &HeightTransfer) -> Result<Stage, Error> {
+        let refused = |what: String| Err(Error::Conflict(format!("the scene `{}` {what}", self.name)));
+        if self.texture.is_some() {
+            return refused("filters a `texture`, whose values are no heights: it goes without a `transfer`".into());
+        }
+        let tables = self.accuracy.unwrap_or_default().tables;
+        let paper = self.combination.is_some() || self.percentile.is_some() || self.microsurface.perturbed;
+        let tier = match self.transfer_tier {
+            Some(tier) if tier != TransferTier::Paper && paper => {
+                return refused(format!("goes without {tier}, which combinations, percentiles and noise have none of"));
+            }
+            Some(tier) if tier != TransferTier::Paper && !tables => {
+                return refused(format!("has an accuracy without tables, and {tier}, which stand in one"));
+            }
+            Some(tier) => tier,
+            None if paper || !tables => TransferTier::Paper,
+            None => TransferTier::ThreeNodes,
+        };
+        let ranges = Ranges::of_transfer(curve);
+        ranges.check()?;
+        let (text, tables) = transfer::stage(&self.name, curve, &ranges);
+        let moments = Moments { text, tables };
+        let nodes = (tier != TransferTier::Paper)
+            .then(|| Nodes::new(curve, ranges, tier, self.height.is_none() || self.microsurface.mean_slope));
+        Ok(Stage { name: self.name.clone(), tier, ranges, moments, nodes })
+    }
+
+    /// A setting that has no meaning for colors by transferred heights, which stand in a table of their own.
+    ///
+    /// # Errors
+    /// As [`Self::filtered`], or a tier, or ranges.
+    fn check_heights(&self) -> Result<(), Error> {
+        let alone = Self { driver: None, ..self.clone() };
+        alone.filtered()?;
+        let tier = self.tier.map(|tier| format!("a color map's tier, {tier}"));
+        let height_tier = self.height_tier.map(|tier| format!("a tier of heights, {tier}"));
+        let ranges = self.ranges.map(|_| "`ranges`: those of f are the transfer's".to_owned());
+        match tier.or(height_tier).or(ranges) {
+            None => Ok(()),
+            Some(setting) => {
+                let what = format!(
+                    "the scene `{}` colors by transferred heights, from a table, and goes without {setting}",
+                    self.name
+                );
+                Err(Error::Conflict(what))
+            }
+        }
+    }
+
+    /// Colors by height, from a table that knows the curve.
+    ///
+    /// # Errors
+    /// Settings that it would ignore; what the closed form of heights is refused for.
+    fn of_nodes(&self, map: &ColorMap, curve: &HeightTransfer, stage: &Stage, nodes: &Nodes) -> Result<Exports, Error> {
+        self.check_heights()?;
+        let (name, surface) = (&self.name, self.microsurface);
+        let moments = stage.moments_of("mean", "deviation");
+        let (filter, level) = transferred::transferred(name, map, self.colors, curve, surface, &moments)?;
+        let own = parameters(std::slice::from_ref(&nodes.table));
+        let all = parameters(&filter.tables) + &parameters(&stage.moments.tables) + &own;
+        Ok(Exports {
+            glue: transferred::glue(name, map, surface, nodes, &filter.body, [&all, &own]),
+            behind: level,
+            tables: filter.tables,
+            turns: self.turns(filter.trips),
+            bound: filter.bound,
+            foreign: String::new(),
+            explanation: String::new(),
+        })
+    }
+
+    /// Around each export of the scene of heights one that takes the statistics of f.
+    ///
+    /// # Errors
+    /// What that scene is refused for; layers with drivers.
+    fn around(&self, stage: &Stage) -> Result<Exports, Error> {
+        let name = format!("{}_heights", self.name);
+        let heights = Self { name, transfer: None, transfer_tier: None, driver: None, ..self.clone() }.module()?;
+        if heights.exports.iter().any(|export| export.name == format!("{}_color", heights.name)) {
+            let what =
+                format!("the layers of `{}` have drivers, and it a `transfer`: pass their statistics", self.name);
+            return Err(Error::Conflict(what));
+        }
+        let around: Vec<String> = heights.exports.iter().map(|export| stage.around(export, heights.name())).collect();
+        let mut turns = heights.turns;
+        let looping = heights.exports.iter().map(|export| (stage.outer(export, &heights.name), stage.tier.nodes()));
+        turns.extend(looping);
+        let step = stage.nodes.as_ref().map_or(0.0, |nodes| 2.0 * f64::from(nodes.table.error));
+        let more = (step * self.map().map_or(0.0, variation)) as f32;
+        let bound = match heights.bound {
+            Bound::Guaranteed(bound) if more == 0.0 => Bound::Guaranteed(bound),
+            Bound::Guaranteed(bound) | Bound::Estimated(bound) => Bound::Estimated(bound + more),
+        };
+        Ok(Exports {
+            glue: around.join("\n"),
+            behind: format!("\n{}", heights.glue),
+            tables: heights.tables,
+            turns,
+            bound,
+            foreign: heights.foreign,
+            explanation: heights.explanation,
+        })
+    }
+}
