@@ -16,6 +16,7 @@ pub mod judged;
 pub mod kernel;
 mod made;
 pub mod maps;
+pub mod moss;
 pub mod noise;
 pub mod program;
 pub mod random;

@@ -23,8 +23,8 @@ struct Arguments {
 
 #[derive(Subcommand)]
 enum Command {
-    /// Filter a terrain and a gravel, then noise, a rough surface, a snake and mountains; print how far each method is
-    /// from the truth, and write pictures and a page.
+    /// Filter a terrain and a gravel, then noise, a rough surface, a snake, mountains and moss; print how far each
+    /// method is from the truth, and write pictures and a page.
     Demo {
         /// Passed on to every demo, `--help` and `--quick` among them.
         #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
@@ -61,7 +61,7 @@ fn main() -> ExitCode {
 fn demo(arguments: &[String]) -> Result<(), String> {
     demand::meet(&[Demand::Vulkan])?;
     demand::device(|| run(&mut cargo(["run", "--quiet", "--release", "-p", "spirv-tests", "--bin", "device"])))?;
-    for binary in ["demo", "noise", "rough", "snake", "cliffs"] {
+    for binary in ["demo", "noise", "rough", "snake", "cliffs", "moss"] {
         run(cargo(["run", "--release", "-p", "spirv-tests", "--bin", binary, "--"]).args(arguments))?;
     }
     Ok(())

@@ -36,6 +36,13 @@ a table</a>.</p>
 <img src=\"cliffs.png\" alt=\"mountains by several methods and in truth; made by the binary cliffs\">
 ";
 
+/// And so does `moss`.
+const MOSS: &str = "<h2>moss and a sponge on a log</h2>
+<p>Heights that a curve makes of noise, near and far, from overhead to a silhouette, <a href=\"moss.csv\">the errors as
+a table</a>.</p>
+<img src=\"moss.png\" alt=\"moss and a sponge by three methods and in truth; made by the binary moss\">
+";
+
 /// A picture's name in file names and its label.
 struct Column<'a> {
     stem: String,
@@ -110,7 +117,7 @@ fn html(device: &str, sizes: Sizes, all: &[Judged]) -> String {
     for judged in all {
         section(&mut page, judged);
     }
-    page + NOISE + ROUGH + SNAKE + CLIFFS + "</main>\n"
+    page + NOISE + ROUGH + SNAKE + CLIFFS + MOSS + "</main>\n"
 }
 
 fn section(page: &mut String, judged: &Judged) {

@@ -49,7 +49,8 @@ impl Quantity {
         }
     }
 
-    fn of(self, look: &Look) -> [f64; 3] {
+    /// The color that is judged.
+    pub fn of(self, look: &Look) -> [f64; 3] {
         match self {
             Self::Color => look.color,
             Self::Lit => look.lit,

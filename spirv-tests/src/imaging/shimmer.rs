@@ -1,5 +1,6 @@
 //! Errors of moving pictures that change from frame to frame.
 
+use super::measure::{root_mean_square, worst};
 use super::picture::Picture;
 
 /// Shimmer: the deviation over time of (result − truth) in the worst channel of each pixel, root mean square over the
@@ -27,6 +28,24 @@ pub fn shimmer(shown: &[Picture], truth: &[Picture]) -> f64 {
     (worst.sum::<f64>() / pixels as f64).sqrt()
 }
 
+/// The largest change of (result − truth) from a frame to the next, root mean square over the pixels' worst channels,
+/// and the frame that it leads to.
+pub fn largest_jump(shown: &[Picture], truth: &[Picture]) -> (f64, usize) {
+    let change = |frame: usize| {
+        let off = |frame: usize, pixel: usize, channel: usize| {
+            shown[frame].pixels[pixel][channel] - truth[frame].pixels[pixel][channel]
+        };
+        let pixels = 0..truth[frame].pixels.len();
+        let worst = pixels.map(|pixel| {
+            let [now, before] = [frame, frame - 1].map(|frame| [0, 1, 2].map(|channel| off(frame, pixel, channel)));
+            worst(&now, &before)
+        });
+        root_mean_square(&worst.collect::<Vec<_>>())
+    };
+    let changes = (1..truth.len()).map(|frame| (change(frame), frame));
+    changes.fold((0.0, 0), |most, next| if most.0 >= next.0 || most.0.is_nan() { most } else { next })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -44,5 +63,19 @@ mod tests {
         assert!((shimmer(&flicker, &truth) - 0.1 / 2f64.sqrt()).abs() < 1e-6);
         flicker[0].pixels[1][0] = f32::NAN;
         assert!(shimmer(&flicker, &truth).is_nan());
+    }
+
+    #[test]
+    fn the_largest_jump_is_found_where_it_is() {
+        let gray = |value: f32| Picture { width: 2, height: 1, pixels: vec![[value; 3]; 2] };
+        let truth = [0.1, 0.3, 0.2, 0.4].map(gray);
+        let mut shown = [0.2, 0.4, 0.35, 0.55].map(gray);
+        let (jump, frame) = largest_jump(&shown, &truth);
+        assert!((jump - 0.05).abs() < 1e-6 && frame == 2, "{jump} {frame}");
+        shown[3].pixels[0][1] += 0.2;
+        let (jump, frame) = largest_jump(&shown, &truth);
+        assert!((jump - 0.2 / 2f64.sqrt()).abs() < 1e-6 && frame == 3, "{jump} {frame}");
+        shown[1].pixels[1][2] = f32::NAN;
+        assert!(largest_jump(&shown, &truth).0.is_nan());
     }
 }
