@@ -1,6 +1,7 @@
 //! What the demo filters: a plane and blocks, each with a noise and a color map.
 
 use super::lens::Lens;
+use super::method::Method;
 use super::Error;
 use crate::imaging::pixel::PIXEL_DEVIATION;
 use crate::maps;
@@ -99,18 +100,33 @@ impl Input {
         [0; 3].map(|_| 100.0 * random.unit() - 50.0)
     }
 
-    /// The driver of the noise, which filters it; with `paper` by the papers' recipes.
-    pub fn driver(&self, taps: Taps, paper: bool) -> Driver {
+    /// Whether there is such a method for it.
+    pub fn has(&self, method: Method) -> bool {
+        method != Method::Curvature || self.ground == Ground::Plane
+    }
+
+    /// The methods that there are for it, in the order of the tables.
+    pub fn methods(&self) -> impl Iterator<Item = Method> + '_ {
+        Method::ALL.into_iter().filter(|&method| self.has(method))
+    }
+
+    /// The driver of the noise, which filters it by a method.
+    pub fn driver(&self, method: Method) -> Driver {
+        let taps = if let Method::Ours(taps) = method { taps } else { Taps::One };
         match self.ground {
             Ground::Plane => Driver::Noise(Noise {
-                method: if paper { NoiseMethod::Stationary } else { NoiseMethod::Gradient },
+                method: match method {
+                    Method::Paper => NoiseMethod::Stationary,
+                    Method::Curvature => NoiseMethod::Curvature,
+                    _ => NoiseMethod::Gradient,
+                },
                 taps,
                 ..Noise::default()
             }),
             Ground::Blocks => Driver::Gabor(Gabor {
                 spectrum: Spectrum::Isotropic { frequency: FREQUENCY },
                 bandwidth: 1.2,
-                method: if paper { GaborMethod::Paper } else { GaborMethod::Exact },
+                method: if method == Method::Paper { GaborMethod::Paper } else { GaborMethod::Exact },
                 taps,
                 ..Gabor::default()
             }),

@@ -53,7 +53,7 @@ impl Extent {
 /// What one part of the noise shows in motion.
 #[derive(Clone, Copy, Debug)]
 pub struct Shimmer {
-    /// Of each method, in the order of [`Method::ALL`].
+    /// Of each method, in the order of [`Method::ALL`]; NaN where there is none for the input.
     pub methods: [f64; Method::ALL.len()],
     /// How much of that is the truth's own.
     pub truth: f64,
@@ -66,7 +66,7 @@ pub struct Judged {
     pub input: Input,
     /// Its stills' errors, one for each part of the noise.
     pub stills: Vec<Errors>,
-    /// Milliseconds a still on the device, the fastest of several, by method.
+    /// Milliseconds a still on the device, the fastest of several, by method; NaN where there is none.
     pub milliseconds: Vec<f64>,
     /// Shimmer of each part of the noise, by motion.
     pub motions: [Vec<Shimmer>; 2],
@@ -105,7 +105,8 @@ impl Judged {
 /// An input with all that looks at it.
 struct Studio<'a> {
     sampler: &'a Sampler<'a>,
-    renderers: Vec<Renderer<'a>>,
+    /// In the order of [`Method::ALL`].
+    renderers: Vec<Option<Renderer<'a>>>,
     extent: Extent,
     done: &'a dyn Fn(u64),
 }
@@ -116,10 +117,12 @@ struct Studio<'a> {
 /// Those of scenes and of the device.
 pub fn judge(device: &Device, input: &Input, extent: Extent, done: &dyn Fn(u64)) -> Result<Judged, Error> {
     let sampler = Sampler::new(device, input)?;
-    let renderers = Method::ALL.into_iter().map(|method| Renderer::new(device, &sampler, method));
+    let renderer = |method| input.has(method).then(|| Renderer::new(device, &sampler, method)).transpose();
+    let renderers = Method::ALL.into_iter().map(renderer);
     let studio = Studio { sampler: &sampler, renderers: renderers.collect::<Result<_, _>>()?, extent, done };
     let still = input.lens(Extent::of(extent.still, input.ground));
-    let milliseconds = studio.renderers.iter().map(|renderer| renderer.milliseconds(&still));
+    let time = |renderer: &Option<Renderer<'_>>| renderer.as_ref().map_or(Ok(f64::NAN), |it| it.milliseconds(&still));
+    let milliseconds = studio.renderers.iter().map(time);
     let mut judged = Judged {
         input: input.clone(),
         stills: Vec::new(),
@@ -142,11 +145,18 @@ impl Studio<'_> {
         Ok([half(0)?, half(1)?])
     }
 
+    /// What every method shows, in the order of [`Method::ALL`]: no pixels where there is none.
+    fn shown(&self, lens: &Lens, seed: u32) -> Result<Vec<Vec<Look>>, Error> {
+        let picture = |renderer: &Option<Renderer<'_>>| {
+            renderer.as_ref().map_or(Ok(Vec::new()), |renderer| renderer.picture(lens, seed))
+        };
+        self.renderers.iter().map(picture).collect()
+    }
+
     fn still(&self, lens: &Lens, seed: u32) -> Result<Errors, Error> {
         let halves = self.halves(lens, seed, self.extent.strata[0], 0)?;
         let truth = mean(&halves);
-        let shown = self.renderers.iter().map(|renderer| renderer.picture(lens, seed));
-        let shown = shown.collect::<Result<Vec<_>, Error>>()?;
+        let shown = self.shown(lens, seed)?;
         let brute = (10..).zip(BRUTE).map(|(number, strata)| {
             let brute = self.sampler.picture(lens, seed, strata, number, self.done)?;
             Ok(errors(&brute, &truth, &shown[0]))
@@ -158,6 +168,7 @@ impl Studio<'_> {
             brute: brute.collect::<Result<_, Error>>()?,
             // The mean of two has half the deviation of their difference.
             truth: errors(&halves[0], &halves[1], &shown[0]).into_iter().map(|error| 0.5 * error).collect(),
+            // None of a method that there is not: figures of no pixels are NaN.
             methods: shown.iter().map(|looks| errors(looks, &truth, &shown[0])).collect(),
         })
     }
@@ -169,7 +180,10 @@ impl Studio<'_> {
         let halves = (100..).zip(&lenses).map(|(number, lens)| self.halves(lens, seed, self.extent.strata[1], number));
         let halves = halves.collect::<Result<Vec<_>, Error>>()?;
         let truth: Vec<Vec<Look>> = halves.iter().map(mean).collect();
-        let frames = |renderer: &Renderer<'_>| lenses.iter().map(|lens| renderer.picture(lens, seed)).collect();
+        let frames = |renderer: &Option<Renderer<'_>>| {
+            let frames = renderer.iter().flat_map(|it| lenses.iter().map(|lens| it.picture(lens, seed)));
+            frames.collect::<Result<Vec<Vec<Look>>, Error>>()
+        };
         let shown = self.renderers.iter().map(frames).collect::<Result<Vec<Vec<Vec<Look>>>, Error>>()?;
         let Some(whole) = shown.first().map(|naive| whole(naive, &truth)) else { return Ok(None) };
         if lenses.is_empty() {
@@ -179,7 +193,7 @@ impl Studio<'_> {
         let half = |half: usize| of(&halves.iter().map(|halves| halves[half].clone()).collect::<Vec<_>>());
         let true_frames = of(&truth);
         let mut methods = [f64::NAN; Method::ALL.len()];
-        for (figure, frames) in methods.iter_mut().zip(&shown) {
+        for (figure, frames) in methods.iter_mut().zip(&shown).filter(|(_, frames)| !frames.is_empty()) {
             *figure = shimmer(&of(frames), &true_frames);
         }
         Ok(Some(Shimmer { methods, truth: 0.5 * shimmer(&half(0), &half(1)) }))

@@ -28,6 +28,8 @@ pub enum Method {
     Paper,
     /// A generated module with this many taps.
     Ours(Taps),
+    /// A generated module with one tap, which knows second derivatives of the noise; of lattices only.
+    Curvature,
     /// Stratified samples, so many an axis: in every frame at the same places of a pixel, for drawn anew they would
     /// shimmer more.
     Stratified(usize),
@@ -35,7 +37,7 @@ pub enum Method {
 
 impl Method {
     /// All of them, in the order of the tables.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 11] = [
         Self::Naive,
         Self::Mean,
         Self::Fading,
@@ -43,6 +45,7 @@ impl Method {
         Self::Hart,
         Self::Paper,
         Self::Ours(Taps::One),
+        Self::Curvature,
         Self::Ours(Taps::Four),
         Self::Ours(Taps::Eight),
         Self::Stratified(4),
@@ -63,6 +66,7 @@ impl Method {
             Self::Hart => "Hart et al. 1999".into(),
             Self::Paper => "paper".into(),
             Self::Ours(Taps::One) => "ours with 1 tap".into(),
+            Self::Curvature => "ours by curvature".into(),
             Self::Ours(taps) => format!("ours with {} taps", taps.count()),
             Self::Stratified(strata) => format!("{} stratified samples", strata * strata),
         }
@@ -76,14 +80,13 @@ impl Method {
             Self::Clamping => include_str!("methods/clamping.wgsl"),
             Self::Hart => include_str!("methods/hart.wgsl"),
             Self::Paper => include_str!("methods/paper.wgsl"),
-            Self::Ours(_) | Self::Stratified(_) => include_str!("methods/ours.wgsl"),
+            Self::Ours(_) | Self::Curvature | Self::Stratified(_) => include_str!("methods/ours.wgsl"),
         }
     }
 
     /// The module that the kernel calls; what it does not call is linked and dropped.
     fn module(self, input: &Input) -> Result<Module, Error> {
-        let taps = if let Self::Ours(taps) = self { taps } else { Taps::One };
-        let scene = Scene::new("surface").texture(input.map.clone()).driver(input.driver(taps, self == Self::Paper));
+        let scene = Scene::new("surface").texture(input.map.clone()).driver(input.driver(self));
         let scene = if self == Self::Paper { scene.tier(Tier::Paper) } else { scene };
         Ok(scene.module()?)
     }

@@ -18,7 +18,7 @@ pub fn text(judged: &Judged) -> String {
         let _ = write!(table, "{name:>8}");
     }
     table.push('\n');
-    for method in Method::ALL {
+    for method in judged.input.methods() {
         let of = |region| sizes(&judged.stills, Of::Method(method.number()), region);
         let (all, regions) = (of(None), [Region::Near, Region::Between, Region::Far].map(|region| of(Some(region))));
         let _ = write!(table, "{:23}{:8.4}{:8.4}", method.label(), all.rms.value, all.rms.error);
@@ -56,7 +56,7 @@ pub fn csv(all: &[Judged]) -> String {
          shimmer_pan_se,shimmer_zoom,shimmer_zoom_se\n",
     );
     for judged in all {
-        for method in Method::ALL {
+        for method in judged.input.methods() {
             REGIONS.into_iter().for_each(|region| csv_row(&mut table, judged, method, region));
         }
     }

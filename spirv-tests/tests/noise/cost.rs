@@ -110,6 +110,8 @@ fn statistics_cost_little_beside_the_noise() -> Outcome {
         // The whole plane is asked for; where every pixel resolves something of every octave none is left out.
         let most = if name == "plane" { 1.35 } else { 1.5 };
         assert!(times[2] / times[0] < most, "{name}: {:.3}", times[2] / times[0]);
+        // By the curvature it is said to take 1.25 times as long.
+        assert!(times[4] / times[2] < 1.4, "{name}: {:.3}", times[4] / times[2]);
     }
     let cost = |module: &Module, name: &str| -> Found<usize> {
         let shader = module.link(&PLAIN.replace("STEP", STEP))?;
