@@ -6,9 +6,9 @@ use crate::table::{power, Table};
 use crate::transfer::height_transfer::HeightTransfer;
 use crate::transfer::polynomial::Piece;
 
-/// The most pieces that are summed up one by one: those of five terraces, of which a call counts 3000 operations, as
-/// much as 25 reads of a table. Fewer are worth more than a read, because no table sees bends under a narrow footprint.
-const MOST: usize = 11;
+/// The most pieces that are summed up one by one: those of 16 terraces or 32 knots. Of five terraces a call counts 3000
+/// operations, as much as 25 reads of a table, but no table sees bends under a narrow footprint.
+const MOST: usize = 33;
 
 /// What to call the table.
 const TABLE: &str = "transfer";
@@ -38,7 +38,7 @@ pub fn closed(name: &str, curve: &HeightTransfer) -> Option<String> {
     Some(documented(name, "", &body))
 }
 
-/// [`closed`] for curves of up to 11 pieces, else a function of the same name that also takes a table, with that table.
+/// [`closed`] for curves of up to 33 pieces, else a function of the same name that also takes a table, with that table.
 ///
 /// A power takes `transfer: texture_2d<f32>` with a single row, within 1e-4 of all means and deviations. A curve of
 /// many pieces takes `transfer: texture_2d<f32>, transfer_sampler: sampler`, over the ranges of f; the table's error is

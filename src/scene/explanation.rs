@@ -17,6 +17,7 @@ use crate::filter::height::{self, surface, tier, HeightTier};
 use crate::filter::height_transfer::TransferTier;
 use crate::filter::slope::SlopeTier;
 use crate::filter::{irradiance, slope, steepness};
+use crate::table::Table;
 use crate::transfer::color_map::ColorMap;
 
 impl Scene {
@@ -113,6 +114,9 @@ impl Scene {
                 writeln!(text, "  covers  f of means {low} to {high} and deviations from {narrow:.1e} to {deviation}");
             let _ =
                 writeln!(text, "  nodes   read between texels, a step of slopes errs by {step:.1e} of the mixture's");
+        }
+        for Table { name, error, .. } in &stage.moments.tables {
+            let _ = writeln!(text, "  moments of h from the table `{name}`, within {error:.1e} of half their ranges");
         }
         let _ = writeln!(text, "  cost    {cost} a call");
         let tier = if *tier == TransferTier::Paper { PAPER } else { "" };
