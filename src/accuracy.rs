@@ -49,7 +49,7 @@ impl Ranges {
         let ends = (bends.first().copied().unwrap_or(0.0), bends.last().copied().unwrap_or(0.0));
         // A curve without two places of its own has no scale.
         let (low, high) = if ends.0 < ends.1 { ends } else { (-1.0, 1.0) };
-        let part = 0.5 * (high - low);
+        let part = (0.5 * (high - low)).max(1e-3);
         let limited = |value: f64| (value as f32).clamp(-LARGEST, LARGEST);
         Self { mean: (limited(low - part), limited(high + part)), deviation: limited(part).max(1e-3) }
     }

@@ -54,6 +54,16 @@ pub fn stage(name: &str, curve: &HeightTransfer, ranges: &Ranges) -> (String, Ve
     (documented(name, parameters, &body), vec![table])
 }
 
+/// The paper's preconvolved texture, whatever the curve: `NAME_transferred` that takes `transfer: texture_2d<f32>,
+/// transfer_sampler: sampler`, with that table, over the ranges of f. To compare with.
+///
+/// Source: Heitz, Nowrouzezahrai, Poulin and Neyret 2014, "Filtering Non-Linear Transfer Functions on Surfaces",
+/// section 7, with deviations in place of second moments.
+pub fn preconvolved(name: &str, curve: &HeightTransfer, ranges: &Ranges) -> (String, Table) {
+    let (parameters, body, table) = tabulated(curve, ranges);
+    (documented(name, parameters, &body), table)
+}
+
 /// A power: its parameters beside mean and deviation, its body and its table.
 fn powered(curve: &HeightTransfer, exponent: f64) -> (&'static str, String, Table) {
     let [amplitude, offset] = curve.scale();

@@ -86,6 +86,12 @@ impl Nodes {
 }
 
 impl Nodes {
+    /// The deviation of f from which on bends are not misread: the distance of two columns.
+    pub fn narrow(&self) -> f32 {
+        let [low, high, columns] = self.means;
+        (high - low) / (columns - 1.0)
+    }
+
     /// The body of the area of the surface in the picture.
     pub fn area(&self) -> String {
         format!(

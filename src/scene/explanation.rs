@@ -105,13 +105,22 @@ impl Scene {
     }
 
     /// What a scene of transferred heights says of itself, before what that of the heights says.
-    pub(super) fn explain_transferred(&self, stage: &Stage, bound: Bound, cost: Cost, heights: &str) -> String {
+    pub(super) fn explain_transferred(
+        &self,
+        stage: &Stage,
+        narrow: f32,
+        [bound, cost]: [&str; 2],
+        heights: &str,
+    ) -> String {
         let Stage { tier, nodes, ranges: Ranges { mean: (low, high), deviation }, .. } = stage;
         let mut text = format!("{}: heights h = g(f) by {tier}\n  error   {bound}\n", self.name);
         if let Some(nodes) = nodes {
-            let (step, narrow) = (nodes.table.error, (high - low) / (nodes.means[2] - 1.0));
-            let _ =
-                writeln!(text, "  covers  f of means {low} to {high} and deviations from {narrow:.1e} to {deviation}");
+            let step = nodes.table.error;
+            let hidden = if self.height.is_some() { ", Λ of view and light that add up to 1e3 at most" } else { "" };
+            let _ = writeln!(
+                text,
+                "  covers  f of means {low} to {high} and deviations from {narrow:.1e} to {deviation}{hidden}"
+            );
             let _ =
                 writeln!(text, "  nodes   read between texels, a step of slopes errs by {step:.1e} of the mixture's");
         }
@@ -213,7 +222,7 @@ const NORMAL: &str = "how far f and its slopes are from normal and from independ
 /// What the paper's tier leaves out besides; `spirv-tests/tests/slope_nodes` measures it.
 const PAPER: &str = ";
     how far h and its slopes are from normal: steps of slopes err by up to 0.2 where the curve is a smooth
-    step over four deviations of f, and by 0.4 where f rises into it";
+    step over two deviations of f, and by 0.4 where f rises into it";
 
 /// What the bound of a filter without a driver does not cover.
 const UNDRIVEN: &str = "how far a pixel's values are from";

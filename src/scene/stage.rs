@@ -1,14 +1,18 @@
 //! The stage between the statistics of f and the filters of h = g(f): what it writes around them.
 
 use super::candidate::{arguments, parameters};
+use super::combination::Combination;
 use super::layer::{listed, STATISTICS};
+use super::Scene;
 use crate::accuracy::Ranges;
 use crate::driver::slope_moments::area;
 use crate::driver::taps::vectors;
 use crate::driver::Driver;
+use crate::filter::height::variation;
 use crate::filter::height_transfer::{averaged, Nodes, TransferTier};
 use crate::module::Export;
 use crate::table::Table;
+use crate::Error;
 
 /// `NAME_transferred`, mean and variance of h and of g′.
 pub(super) struct Moments {
@@ -141,6 +145,40 @@ fn {name}_displacement(position: {position}, dpdx: {position}, dpdy: {position}{
             vectors(function.pixel, position),
             self.moments_of("m.x", "sqrt(max(m.y, 0.0))")
         )
+    }
+}
+
+impl Scene {
+    /// The weights of a combination.
+    ///
+    /// # Errors
+    /// A name that its exports have for something else.
+    pub(super) fn weights(&self) -> Result<Vec<String>, Error> {
+        let Some(Combination(expression)) = &self.combination else { return Ok(Vec::new()) };
+        let weights = self.leaves(expression)?.weights;
+        let taken = |weight: &&String| {
+            STATISTICS.iter().any(|(name, _)| name == weight) || [HEIGHTS, "transfer"].contains(&weight.as_str())
+        };
+        match weights.iter().find(taken) {
+            Some(weight) => {
+                let what = format!("the weight `{weight}` of `{}` has a name that its module needs", self.name);
+                Err(Error::Conflict(what))
+            }
+            None => Ok(weights),
+        }
+    }
+
+    /// How much what is filtered varies with slopes: the total variation of a map, the span of one of the whole slope,
+    /// and the most that light from opposite sides differs by.
+    pub(super) fn varied(&self) -> f32 {
+        let map = self.map().map(|map| variation(map) as f32);
+        let slopes = self.slope_map.as_ref().map(|map| map.widest_span() as f32);
+        let light = self.irradiance.as_ref().map(|light| {
+            let polynomial = light.polynomial();
+            let of = |channel: usize| polynomial[1..].iter().map(|term| term[channel].abs()).sum::<f32>();
+            2.0 * (0..3).map(of).fold(0.0, f32::max)
+        });
+        map.or(slopes).or(light).unwrap_or(0.0)
     }
 }
 

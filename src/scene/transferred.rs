@@ -5,7 +5,7 @@ use super::stage::{Moments, Stage};
 use super::Scene;
 use crate::accuracy::{Bound, Ranges};
 use crate::driver::transfer;
-use crate::filter::height::{transferred, variation};
+use crate::filter::height::transferred::{self, Transferred};
 use crate::filter::height_transfer::{Nodes, TransferTier};
 use crate::module::Module;
 use crate::table::Table;
@@ -25,7 +25,12 @@ struct Exports {
     foreign: String,
     /// What is said of the filter of h.
     explanation: String,
+    /// The deviation of f from which on bounds hold.
+    narrow: f32,
 }
+
+/// The steepest slope that a table of halves holds.
+const MOST_SLOPE: f64 = 6e4;
 
 impl Scene {
     /// Heights h = g(f): what the scene filters are the heights that a curve g makes of f, and their slopes.
@@ -77,13 +82,59 @@ impl Scene {
         }
     }
 
-    /// The module of a scene of transferred heights.
+    /// The module of a scene of transferred heights: of the first tier within the accuracy.
     ///
     /// # Errors
-    /// Values, which are not heights; drivers that do not know slopes; what the scene of heights is refused for.
+    /// Values, which are not heights; drivers that do not know slopes; what the scene of heights is refused for; no
+    /// tier that keeps the accuracy.
     pub(super) fn transferred(&self, curve: &HeightTransfer) -> Result<Module, Error> {
-        let stage = self.stage(curve)?;
-        let Exports { mut glue, behind, mut tables, mut turns, bound, foreign, explanation } =
+        let mut closest: Option<Module> = None;
+        let asked = self.accuracy.map_or(f32::INFINITY, |accuracy| accuracy.max_filter_error);
+        for tier in self.transfer_tiers()? {
+            let module = self.transferred_by(curve, tier)?;
+            if module.bound.value() <= asked {
+                return Ok(module);
+            }
+            if closest.as_ref().is_none_or(|closest| module.bound.value() < closest.bound.value()) {
+                closest = Some(module);
+            }
+        }
+        let (label, bound) = closest.map_or((String::new(), f32::INFINITY), |closest| {
+            let label = closest.explanation.lines().next().unwrap_or_default().to_owned();
+            (label, closest.bound.value())
+        });
+        Err(Error::Accuracy { scene: self.name.clone(), asked, closest: label, bound })
+    }
+
+    /// The tiers that the scene names or allows.
+    ///
+    /// # Errors
+    /// A tier that does not go with what is filtered.
+    fn transfer_tiers(&self) -> Result<Vec<TransferTier>, Error> {
+        use TransferTier as T;
+        let refused = |what: String| Err(Error::Conflict(format!("the scene `{}` {what}", self.name)));
+        if self.texture.is_some() {
+            return refused("filters a `texture`, whose values are no heights: it goes without a `transfer`".into());
+        }
+        let tables = self.accuracy.unwrap_or_default().tables;
+        let paper = self.combination.is_some() || self.percentile.is_some() || self.microsurface.perturbed;
+        match self.transfer_tier {
+            Some(tier) if tier != T::Paper && paper => {
+                refused(format!("goes without {tier}, which combinations, percentiles and noise have none of"))
+            }
+            Some(tier) if tier != T::Paper && !tables => {
+                refused(format!("has an accuracy without tables, and {tier}, which stand in one"))
+            }
+            Some(tier) => Ok(vec![tier]),
+            None if paper || !tables => Ok(vec![T::Paper]),
+            None if self.accuracy.is_none() || self.height.is_some() => Ok(vec![T::ThreeNodes]),
+            None => Ok(vec![T::TwoNodes, T::ThreeNodes, T::FourNodes]),
+        }
+    }
+
+    fn transferred_by(&self, curve: &HeightTransfer, tier: TransferTier) -> Result<Module, Error> {
+        let stage = self.stage(curve, tier)?;
+        let Exports { mut glue, behind, mut tables, mut turns, bound, foreign, explanation, narrow } =
             match (&stage.nodes, &self.height) {
                 (Some(nodes), Some(map)) => self.of_nodes(map, curve, &stage, nodes)?,
                 _ => self.around(&stage)?,
@@ -97,7 +148,7 @@ impl Scene {
             if driven.takes_several() && exports.iter().any(|export| export.takes("mean_slope")) {
                 glue += &stage.area();
             }
-            glue += &self.driven_together(&drivers, &exports, &stage.area_of_tap(), &[])?;
+            glue += &self.driven_together(&drivers, &exports, &stage.area_of_tap(), &self.weights()?)?;
             glue += &stage.displacement(driven.driver);
             turns.extend(self.driven_turns(&drivers));
         }
@@ -106,35 +157,30 @@ impl Scene {
         let foreign = once_each([foreign.as_str(), &self.foreign()].into_iter());
         let linked = self.linked(&format!("{glue}{foreign}"))?;
         let cost = cost(&linked, &exports, &tables, &turns);
-        let explanation = self.explain_transferred(&stage, bound, cost, &explanation);
+        let explanation =
+            self.explain_transferred(&stage, narrow, [&bound.to_string(), &cost.to_string()], &explanation);
         Ok(Module { name: self.name.clone(), exports, glue, foreign, linked, tables, explanation, bound, turns, cost })
     }
 
-    fn stage(&self, curve: &HeightTransfer) -> Result<Stage, Error> {
-        let refused = |what: String| Err(Error::Conflict(format!("the scene `{}` {what}", self.name)));
-        if self.texture.is_some() {
-            return refused("filters a `texture`, whose values are no heights: it goes without a `transfer`".into());
-        }
-        let tables = self.accuracy.unwrap_or_default().tables;
-        let paper = self.combination.is_some() || self.percentile.is_some() || self.microsurface.perturbed;
-        let tier = match self.transfer_tier {
-            Some(tier) if tier != TransferTier::Paper && paper => {
-                return refused(format!("goes without {tier}, which combinations, percentiles and noise have none of"));
-            }
-            Some(tier) if tier != TransferTier::Paper && !tables => {
-                return refused(format!("has an accuracy without tables, and {tier}, which stand in one"));
-            }
-            Some(tier) => tier,
-            None if paper || !tables => TransferTier::Paper,
-            None => TransferTier::ThreeNodes,
-        };
+    fn stage(&self, curve: &HeightTransfer, tier: TransferTier) -> Result<Stage, Error> {
+        let refused = |what: &str| Err(Error::Conflict(format!("the curve of `{}` {what}", self.name)));
         let ranges = Ranges::of_transfer(curve);
         ranges.check()?;
-        let (text, tables) = transfer::stage(&self.name, curve, &ranges);
-        let moments = Moments { text, tables };
-        let nodes = (tier != TransferTier::Paper)
-            .then(|| Nodes::new(curve, ranges, tier, self.height.is_none() || self.microsurface.mean_slope));
-        Ok(Stage { name: self.name.clone(), tier, ranges, moments, nodes })
+        let (text, tables) = match (self.accuracy.unwrap_or_default().tables, transfer::closed(&self.name, curve)) {
+            (true, _) => transfer::stage(&self.name, curve, &ranges),
+            (false, Some(text)) => (text, Vec::new()),
+            (false, None) => return refused("is a power that needs a table, and its accuracy has none"),
+        };
+        let far = 8.0 * f64::from(ranges.deviation);
+        let (least, most) = curve.slopes(f64::from(ranges.mean.0) - far, f64::from(ranges.mean.1) + far);
+        if tier != TransferTier::Paper && most.max(-least) > MOST_SLOPE {
+            return refused(
+                "has slopes beyond 6e4, the largest that its table of nodes holds: take `TransferTier::Paper`",
+            );
+        }
+        let tilted = self.height.is_none() || self.microsurface.mean_slope;
+        let nodes = (tier != TransferTier::Paper).then(|| Nodes::new(curve, ranges, tier, tilted));
+        Ok(Stage { name: self.name.clone(), tier, ranges, moments: Moments { text, tables }, nodes })
     }
 
     /// A setting that has no meaning for colors by transferred heights, which stand in a table of their own.
@@ -167,7 +213,8 @@ impl Scene {
         self.check_heights()?;
         let (name, surface) = (&self.name, self.microsurface);
         let moments = stage.moments_of("mean", "deviation");
-        let (filter, level) = transferred::transferred(name, map, self.colors, curve, surface, &moments)?;
+        let Transferred { filter, level, narrow } =
+            transferred::transferred(name, map, self.colors, curve, surface, &moments)?;
         let own = parameters(std::slice::from_ref(&nodes.table));
         let all = parameters(&filter.tables) + &parameters(&stage.moments.tables) + &own;
         Ok(Exports {
@@ -178,6 +225,7 @@ impl Scene {
             bound: filter.bound,
             foreign: String::new(),
             explanation: String::new(),
+            narrow,
         })
     }
 
@@ -197,12 +245,16 @@ impl Scene {
         let mut turns = heights.turns;
         let looping = heights.exports.iter().map(|export| (stage.outer(export, &heights.name), stage.tier.nodes()));
         turns.extend(looping);
-        let step = stage.nodes.as_ref().map_or(0.0, |nodes| 2.0 * f64::from(nodes.table.error));
-        let more = (step * self.map().map_or(0.0, variation)) as f32;
-        let bound = match heights.bound {
-            Bound::Guaranteed(bound) if more == 0.0 => Bound::Guaranteed(bound),
-            Bound::Guaranteed(bound) | Bound::Estimated(bound) => Bound::Estimated(bound + more),
+        let takes = |name: &str| heights.exports.iter().any(|export| export.takes(name));
+        if !takes("mean") && !takes("slope_covariance") {
+            let what = format!("the combination `{}` has neither heights nor slopes, and a `transfer`", self.name);
+            return Err(Error::Conflict(what));
+        }
+        let bound = match (heights.bound, &stage.nodes) {
+            (bound, None) => bound,
+            (bound, Some(nodes)) => Bound::Estimated(bound.value() + 2.0 * nodes.table.error * self.varied()),
         };
+        let narrow = stage.nodes.as_ref().map_or(0.0, Nodes::narrow);
         Ok(Exports {
             glue: around.join("\n"),
             behind: format!("\n{}", heights.glue),
@@ -211,6 +263,7 @@ impl Scene {
             bound,
             foreign: heights.foreign,
             explanation: heights.explanation,
+            narrow,
         })
     }
 }

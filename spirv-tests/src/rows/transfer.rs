@@ -1,6 +1,6 @@
 //! Slopes of transferred heights: a factor of two values times the slopes. Tables of moments: quadrature of the curves.
 
-use prefilter::driver::transfer::stage;
+use prefilter::driver::transfer::{preconvolved, stage};
 use prefilter::gpu::Address;
 use prefilter::reference::piece::moments;
 use prefilter::reference::transfer::slopes;
@@ -17,14 +17,14 @@ fn of(curve: &HeightTransfer, x: &[f64]) -> [f64; 4] {
 fn table() -> Row {
     let heights = [0.0, 0.3, 0.25, 0.6, 1.0, 0.7, 0.75, 0.9, 0.4, 0.1, 0.2];
     let curve = HeightTransfer::samples(0.0, 1.0, &heights).expect("eleven samples are a curve");
-    let (_, tables) = stage("judged", &curve, &Ranges { mean: (-0.5, 1.5), deviation: 0.5 });
+    let (_, table) = preconvolved("judged", &curve, &Ranges { mean: (-0.5, 1.5), deviation: 0.5 });
     let (least, steepest) = curve.slopes(f64::NEG_INFINITY, f64::INFINITY);
     let (middle, slope) = (0.5 * (least + steepest), 0.5 * (steepest - least));
     let parts = move |x: &[f64]| {
         let [height, variance, mean, spread] = of(&curve, x);
         [2.0 * height - 1.0, 4.0 * variance, (mean - middle) / slope, spread / (slope * slope)]
     };
-    Row::new("transfer_table", parts).table(tables[0].clone(), Address::Clamp)
+    Row::new("transfer_table", parts).table(table, Address::Clamp)
 }
 
 fn power() -> Row {

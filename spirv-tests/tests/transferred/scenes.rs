@@ -2,7 +2,7 @@
 
 use prefilter::{
     Accuracy, ColorMap, Combination, Cosines, Driver, HeightTier, HeightTransfer, Irradiance, Microsurface, Moments,
-    Scene, Taps, TransferTier, Wave,
+    Scene, SlopeTier, Taps, TransferTier, Wave,
 };
 
 use crate::Outcome;
@@ -95,5 +95,44 @@ fn combinations_are_the_papers() -> Outcome {
     let signatures = signatures(&hills)?;
     assert!(signatures[0].starts_with(&format!("fn hills_combined({statistics}")), "{}", signatures[0]);
     assert!(hills.module()?.explain().contains(&TransferTier::Paper.to_string()));
+    Ok(())
+}
+
+#[test]
+fn the_accuracy_has_a_say() -> Outcome {
+    let asked = |scene: Scene, error: f32| scene.accuracy(Accuracy::max_filter_error(error)).module();
+    // No table of heights is that close.
+    assert!(matches!(asked(moss()?, 1e-4), Err(prefilter::Error::Accuracy { .. })));
+    let step = ColorMap::bands([0.0; 3], [(0.1, [1.0; 3])])?;
+    let dune = || -> Result<Scene, prefilter::Error> {
+        let dune = Scene::new("dune").slope(step.clone()).slope_tier(SlopeTier::Pair);
+        Ok(dune.transfer(HeightTransfer::smoothstep(-1.0, 1.0)?))
+    };
+    for (error, tier) in
+        [(0.5, TransferTier::TwoNodes), (0.12, TransferTier::ThreeNodes), (0.075, TransferTier::FourNodes)]
+    {
+        let module = asked(dune()?, error)?;
+        assert!(
+            module.bound().value() <= error && module.explain().contains(&tier.to_string()),
+            "{}",
+            module.explain()
+        );
+    }
+    Ok(())
+}
+
+/// A hard edge at the height of a level stretch counts all of it as above, however wide the footprint.
+#[test]
+fn level_stretches_lie_above_an_edge_at_their_height() -> Outcome {
+    let device = prefilter::gpu::Device::new()?;
+    let ground = ColorMap::bands([0.1; 3], [(0.0, [0.9; 3])])?;
+    let module = Scene::new("moss").height(ground).transfer(HeightTransfer::smoothstep(0.0, 1.2)?).module()?;
+    let export = spirv_tests::exports::ExportKernel::new(&device, &module, &module.exports()[0])?;
+    let [view, light] = [[0.0, 0.6, 0.8], [0.0, -0.6, 0.8]];
+    for deviation in [0.0, 0.01, 0.05, 0.2] {
+        let point = [&[-0.5, deviation, 0.09, 0.0, 0.09][..], &view, &light].concat();
+        let [red, ..] = export.run(&point)?[0];
+        assert!((red - 0.9).abs() < 2e-3, "{deviation}: {red}");
+    }
     Ok(())
 }

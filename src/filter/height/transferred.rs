@@ -15,7 +15,7 @@ use crate::filter::shared::statements;
 use crate::filter::texture::{color_type, number, swizzle, Filter};
 use crate::table::grid::{Axis, Spacing};
 use crate::table::transferred::{Plan, HIDING};
-use crate::transfer::color_map::{ColorMap, Colors};
+use crate::transfer::color_map::{ColorMap, Colors, MAX_COLOR};
 use crate::transfer::height_transfer::HeightTransfer;
 use crate::Error;
 
@@ -26,8 +26,18 @@ const DEVIATIONS: usize = 24;
 /// How many columns of the table a deviation of f covers from which on it is read; below, h is taken for normal.
 const NARROW: f64 = 1.5;
 
-/// The filter by the table, and the function that it calls for narrow footprints, over which a curve is nearly a line:
-/// `NAME_level`, the color by normal heights, of the moments that `transferred` is the expression of.
+/// Colors by transferred heights.
+pub(crate) struct Transferred {
+    /// By the table.
+    pub filter: Filter,
+    /// The function that it calls for narrow footprints, over which a curve is nearly a line: `NAME_level`, the color
+    /// by normal heights.
+    pub level: String,
+    /// The deviation of f from which on nothing but the table is read.
+    pub narrow: f32,
+}
+
+/// The filter of a map; `transferred` is the expression of mean and variance of h.
 ///
 /// # Errors
 /// As of [`tails`].
@@ -38,16 +48,24 @@ pub(crate) fn transferred(
     curve: &HeightTransfer,
     surface: Microsurface,
     transferred: &str,
-) -> Result<(Filter, String), Error> {
+) -> Result<Transferred, Error> {
     let ranges = Ranges::of_transfer(curve);
     let reference = map.reference();
     let (low, high) = (f64::from(ranges.mean.0), f64::from(ranges.mean.1));
-    let means = Axis::fitted(low, high, MEANS, &Plan::changes(&reference, curve, (low, high))).in_f32();
+    let means = match colors {
+        Colors::Constant => Axis::fitted(low, high, MEANS, &Plan::changes(&reference, curve, (low, high))),
+        // The same for all maps.
+        Colors::Dynamic => Axis::round(low, high, MEANS),
+    };
+    let means = means.in_f32();
     let most = f64::from(ranges.deviation);
     let deviations = Axis { low: 0.0, high: most, count: DEVIATIONS, spacing: Spacing::CubeRoot };
     let narrow = (NARROW * (means.high - means.low) / (MEANS - 1) as f64).min(0.25 * most);
     let table = Plan { map: &reference, curve, means, deviations }.table("table", narrow);
-    let near = tails(map, colors, surface, Ranges::of(map))?;
+    let (lowest, highest) = curve.range(low - 2.0 * most, high + 2.0 * most);
+    let near = tails(map, colors, surface, around(Ranges::of(map), lowest as f32, highest as f32))?;
+    // A level stretch that lies on a hard edge counts as above it, as in the table.
+    let above = number((1e-5 * (highest - lowest).min(1e5)) as f32);
     let given = if surface.shadowing { ["seen, lit", "seen: f32, lit: f32"] } else { ["seen", "seen: f32"] };
     let low = number(narrow as f32);
     let (color, channels) = (color_type(map.channels()), swizzle(map));
@@ -60,7 +78,7 @@ pub(crate) fn transferred(
     }}
     // The curve is nearly a line over the footprint, whose heights are nearly normal.
     let h = {transferred};
-    return mix({name}_level(h.x, sqrt(h.y), {}{arguments}), wide, part);
+    return mix({name}_level(h.x + {above}, sqrt(h.y), {}{arguments}), wide, part);
 ",
         read([means, deviations], lambda(surface)),
         given[0]
@@ -78,7 +96,15 @@ fn {name}_level(mean: f32, deviation: f32, {}{parameters}) -> {color} {{
     let step = step_error(HeightTier::Skewed, surface, tier::rounded(HeightTier::Skewed, ranges));
     let bound = 2.0 * f64::from(table.error) + step * variation(map);
     let tables = near.tables.into_iter().chain([table]).collect();
-    Ok((Filter { body, bound: Bound::Estimated(bound as f32), tables, trips: near.trips }, level))
+    let filter = Filter { body, bound: Bound::Estimated(bound as f32), tables, trips: near.trips };
+    Ok(Transferred { filter, level, narrow: 2.0 * narrow as f32 })
+}
+
+/// The ranges of a map, and of heights between two.
+fn around(map: Ranges, lowest: f32, highest: f32) -> Ranges {
+    let limited = |value: f32| value.clamp(-MAX_COLOR, MAX_COLOR);
+    let mean = (map.mean.0.min(limited(lowest)), map.mean.1.max(limited(highest)));
+    Ranges { mean, deviation: map.deviation.max(limited(0.5 * (highest - lowest))) }
 }
 
 /// The expression that reads the table, of `mean`, `deviation` and an expression of Λ.
