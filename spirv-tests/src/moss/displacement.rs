@@ -10,7 +10,7 @@ const MEANS: f64 = 5.0;
 
 /// Steps from one to the other end of means, and from 0 to 1 of deviations: between them heights are off by less than
 /// 1e-4 of their range.
-const STEPS: [usize; 2] = [400, 64];
+const STEPS: [usize; 2] = [1600, 64];
 
 /// Mean heights over mean and deviation of f.
 #[derive(Clone, Debug)]
