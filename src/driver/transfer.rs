@@ -6,10 +6,6 @@ use crate::table::{power, Table};
 use crate::transfer::height_transfer::HeightTransfer;
 use crate::transfer::polynomial::Piece;
 
-/// The most pieces that are summed up one by one: those of 16 terraces or 32 knots. Of five terraces a call counts 3000
-/// operations, as much as 25 reads of a table, but no table sees bends under a narrow footprint.
-const MOST: usize = 33;
-
 /// What to call the table.
 const TABLE: &str = "transfer";
 
@@ -38,19 +34,15 @@ pub fn closed(name: &str, curve: &HeightTransfer) -> Option<String> {
     Some(documented(name, "", &body))
 }
 
-/// [`closed`] for curves of up to 33 pieces, else a function of the same name that also takes a table, with that table.
+/// [`closed`] for every curve of pieces, else a function of the same name that also takes a table, with that table: a
+/// power takes `transfer: texture_2d<f32>` with a single row, within 1e-4 of all means and deviations.
 ///
-/// A power takes `transfer: texture_2d<f32>` with a single row, within 1e-4 of all means and deviations. A curve of
-/// many pieces takes `transfer: texture_2d<f32>, transfer_sampler: sampler`, over the ranges of f; the table's error is
-/// in parts of half the ranges of h and of the slope.
-pub fn stage(name: &str, curve: &HeightTransfer, ranges: &Ranges) -> (String, Vec<Table>) {
-    if curve.pieces().is_some_and(|pieces| pieces.len() <= MOST) {
-        return (closed(name, curve).unwrap_or_default(), Vec::new());
+/// A call counts some 300 operations a piece: a curve of many is dear, but no table sees bends under a narrow footprint.
+pub fn stage(name: &str, curve: &HeightTransfer) -> (String, Vec<Table>) {
+    if let Some(text) = closed(name, curve) {
+        return (text, Vec::new());
     }
-    let (parameters, body, table) = match curve.exponent() {
-        Some(exponent) if curve.pieces().is_none() => powered(curve, exponent),
-        _ => tabulated(curve, ranges),
-    };
+    let (parameters, body, table) = powered(curve, curve.exponent().unwrap_or(1.0));
     (documented(name, parameters, &body), vec![table])
 }
 
@@ -78,7 +70,7 @@ fn powered(curve: &HeightTransfer, exponent: f64) -> (&'static str, String, Tabl
     (", transfer: texture_2d<f32>", body, power::table(TABLE, exponent))
 }
 
-/// A curve of many pieces: the same.
+/// A curve by its preconvolved texture: the same.
 fn tabulated(curve: &HeightTransfer, ranges: &Ranges) -> (&'static str, String, Table) {
     let plan = Plan::new(curve, ranges.mean, ranges.deviation);
     let ends = list(&[ranges.mean.0, ranges.mean.1, ranges.deviation].map(f64::from));

@@ -167,7 +167,7 @@ impl Scene {
         let ranges = Ranges::of_transfer(curve);
         ranges.check()?;
         let (text, tables) = match (self.accuracy.unwrap_or_default().tables, transfer::closed(&self.name, curve)) {
-            (true, _) => transfer::stage(&self.name, curve, &ranges),
+            (true, _) => transfer::stage(&self.name, curve),
             (false, Some(text)) => (text, Vec::new()),
             (false, None) => return refused("is a power that needs a table, and its accuracy has none"),
         };

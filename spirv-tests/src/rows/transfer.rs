@@ -29,7 +29,7 @@ fn table() -> Row {
 
 fn power() -> Row {
     let curve = HeightTransfer::power(1.7).expect("powers from 1 on are curves");
-    let (_, tables) = stage("judged", &curve, &Ranges { mean: (-1.0, 1.0), deviation: 1.0 });
+    let (_, tables) = stage("judged", &curve);
     Row::new("transfer_power", move |x| of(&curve, x)).table(tables[0].clone(), Address::Clamp)
 }
 
