@@ -35,9 +35,9 @@ pub fn closed(name: &str, curve: &HeightTransfer) -> Option<String> {
 }
 
 /// [`closed`] for every curve of pieces, else a function of the same name that also takes a table, with that table: a
-/// power takes `transfer: texture_2d<f32>` with a single row, within 1e-4 of all means and deviations.
+/// power takes `transfer: texture_2d<f32>` with one row, within 1e-4 of all means and deviations.
 ///
-/// A call counts some 300 operations a piece: a curve of many is dear, but no table sees bends under a narrow footprint.
+/// A call counts some 300 operations a piece: many are dear, but no table sees bends under a narrow footprint.
 pub fn stage(name: &str, curve: &HeightTransfer) -> (String, Vec<Table>) {
     if let Some(text) = closed(name, curve) {
         return (text, Vec::new());

@@ -45,10 +45,11 @@ impl Scene {
     /// [`Self::height_percentile`] and [`Self::combination`] by [`TransferTier::Paper`] alone.
     ///
     /// ```
-    /// use prefilter::{ColorMap, HeightTransfer, Scene, TransferTier};
+    /// use prefilter::{ColorMap, HeightTier, HeightTransfer, Scene, TransferTier};
     /// let moss = ColorMap::gradient([(0.0, [0.05, 0.1, 0.02]), (1.0, [0.4, 0.5, 0.1])])?;
     /// let cushions = HeightTransfer::smoothstep(0.0, 1.2)?;
-    /// let module = Scene::new("moss").height(moss).transfer(cushions).transfer_tier(TransferTier::Paper).module()?;
+    /// let moss = Scene::new("moss").height(moss).height_tier(HeightTier::ClosedForm);
+    /// let module = moss.transfer(cushions).transfer_tier(TransferTier::Paper).module()?;
     /// assert_eq!(
     ///     module.exports()[0].signature,
     ///     "fn moss_height(mean: f32, deviation: f32, slope_covariance: vec3f, view: vec3f, light: vec3f) -> vec3f"

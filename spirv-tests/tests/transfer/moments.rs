@@ -87,7 +87,7 @@ fn powers_are_the_moments_of_curves() -> Outcome {
     Ok(())
 }
 
-/// Preconvolved curves of many pieces are within what their tables say, and close where footprints are wide against the columns.
+/// Preconvolved curves are within what their tables say, and close where footprints are wide against the columns.
 #[test]
 fn tables_keep_their_errors() -> Outcome {
     let device = Device::new()?;
