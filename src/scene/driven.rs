@@ -142,8 +142,7 @@ impl Scene {
             (driven.variable(), format!("{}_{}", driven.prefix(&self.name), driven.function.suffix()))
         };
         let reads: Vec<_> = drivers.iter().map(read).collect();
-        let takes = |parameter: &str| called.parameters().iter().any(|(name, _)| *name == parameter);
-        let sees = function.surface && takes("mean_slope") && takes("view");
+        let sees = function.surface && called.takes("mean_slope") && called.takes("view");
         let evaluation = Evaluation {
             reads: &reads,
             named: &[],

@@ -85,7 +85,6 @@ fn {name}_area(mean: f32, deviation: f32, mean_slope: vec2f, slope_covariance: v
     /// The export of the same name around one of the heights.
     pub fn around(&self, export: &Export, within: &str) -> String {
         let own = export.parameters();
-        let takes = |name: &str| own.iter().any(|(own, _)| *own == name);
         let needed: &[&str] = if self.nodes.is_some() {
             &["mean", "deviation", "mean_slope", "slope_covariance"]
         } else {
@@ -94,7 +93,7 @@ fn {name}_area(mean: f32, deviation: f32, mean_slope: vec2f, slope_covariance: v
         let documentation = export.documentation.replace(&format!("`{within}`"), &format!("`{}`", self.name));
         let documentation: String =
             documentation.lines().map(|line| format!("/// {line}").trim_end().to_owned() + "\n").collect();
-        let slope = if takes("mean_slope") { "mean_slope" } else { "vec2f()" };
+        let slope = if export.takes("mean_slope") { "mean_slope" } else { "vec2f()" };
         let call = |of: &dyn Fn(&str) -> Option<String>| {
             let list: Vec<String> = own.iter().map(|(name, _)| of(name).unwrap_or((*name).to_owned())).collect();
             format!("{}({})", export.name, list.join(", "))
@@ -106,7 +105,7 @@ fn {name}_area(mean: f32, deviation: f32, mean_slope: vec2f, slope_covariance: v
                 (body, parameters(&self.moments.tables))
             }
             Some(nodes) => {
-                let body = averaged(nodes, self.tier.nodes(), takes("view"), &call(&of_node), export.result());
+                let body = averaged(nodes, self.tier.nodes(), export.takes("view"), &call(&of_node), export.result());
                 (body, parameters(std::slice::from_ref(&nodes.table)))
             }
         };

@@ -167,11 +167,10 @@ impl Scene {
         let refused = |what: &str| Err(Error::Conflict(format!("the curve of `{}` {what}", self.name)));
         let ranges = Ranges::of_transfer(curve);
         ranges.check()?;
-        let (text, tables) = match (self.accuracy.unwrap_or_default().tables, transfer::closed(&self.name, curve)) {
-            (true, _) => transfer::stage(&self.name, curve),
-            (false, Some(text)) => (text, Vec::new()),
-            (false, None) => return refused("is a power that needs a table, and its accuracy has none"),
-        };
+        let (text, tables) = transfer::stage(&self.name, curve);
+        if !tables.is_empty() && !self.accuracy.unwrap_or_default().tables {
+            return refused("is a power that needs a table, and its accuracy has none");
+        }
         let far = 8.0 * f64::from(ranges.deviation);
         let (least, most) = curve.slopes(f64::from(ranges.mean.0) - far, f64::from(ranges.mean.1) + far);
         if tier != TransferTier::Paper && most.max(-least) > MOST_SLOPE {
