@@ -20,6 +20,7 @@ pub mod moss;
 pub mod noise;
 pub mod program;
 pub mod random;
+pub mod report;
 pub mod rough;
 pub mod rows;
 pub mod scenes;

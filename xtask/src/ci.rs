@@ -33,6 +33,7 @@ pub fn ci() -> Result<(), String> {
     summary.step("snake --quick", || run(test_binary("snake")?.arg("--quick")));
     summary.step("cliffs --quick", || run(test_binary("cliffs")?.arg("--quick")));
     summary.step("moss --quick", || run(test_binary("moss")?.arg("--quick")));
+    summary.step("report --quick", || run(test_binary("report")?.arg("--quick")));
     summary.step("benchmark of links", || run(&mut cargo(["bench", "-p", "prefilter", "--bench", "link"])));
     summary.finish()
 }

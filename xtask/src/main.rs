@@ -1,4 +1,4 @@
-//! The one entry for people and for CI: `cargo xtask demo`, `cargo xtask test`, `cargo xtask ci`.
+//! The one entry for people and for CI: `cargo xtask demo`, `cargo xtask report`, `cargo xtask test`, `cargo xtask ci`.
 #![deny(missing_docs)]
 
 mod ci;
@@ -30,6 +30,12 @@ enum Command {
         #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
         arguments: Vec<String>,
     },
+    /// Measure speed against error of every filter side by side, and write a page, plots and tables.
+    Report {
+        /// Passed on, `--help`, `--quick` and `--only PART` among them.
+        #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
+        arguments: Vec<String>,
+    },
     /// Run every test of the workspace on a real Vulkan device.
     Test {
         /// Try ten million random inputs where the usual run tries a million or less: some minutes more.
@@ -46,6 +52,7 @@ enum Command {
 fn main() -> ExitCode {
     let result = match Arguments::parse().command {
         Command::Demo { arguments } => demo(&arguments),
+        Command::Report { arguments } => report(&arguments),
         Command::Test { full, arguments } => test(full, &arguments),
         Command::Ci => ci::ci(),
     };
@@ -65,6 +72,12 @@ fn demo(arguments: &[String]) -> Result<(), String> {
         run(cargo(["run", "--release", "-p", "spirv-tests", "--bin", binary, "--"]).args(arguments))?;
     }
     Ok(())
+}
+
+fn report(arguments: &[String]) -> Result<(), String> {
+    demand::meet(&[Demand::Vulkan])?;
+    demand::device(|| run(&mut cargo(["run", "--quiet", "--release", "-p", "spirv-tests", "--bin", "device"])))?;
+    run(cargo(["run", "--release", "-p", "spirv-tests", "--bin", "report", "--"]).args(arguments))
 }
 
 fn test(full: bool, arguments: &[String]) -> Result<(), String> {

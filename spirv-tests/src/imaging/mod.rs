@@ -33,6 +33,9 @@ pub enum Error {
     /// The color maps' file.
     #[error("the color maps: {0}")]
     Map(String),
+    /// A plot.
+    #[error("a plot: {0}")]
+    Plot(String),
     /// A file of the report.
     #[error("writing {path}: {error}")]
     File {
