@@ -4,11 +4,12 @@
 use clap::Parser;
 use indicatif::ProgressBar;
 use prefilter::gpu::Device;
+use spirv_tests::imaging::files::listed;
 use spirv_tests::program::{bar, end};
 use spirv_tests::report::cache::Cache;
 use spirv_tests::report::document::Document;
-use spirv_tests::report::{page, Bench, Error, Extent, Part};
-use std::path::PathBuf;
+use spirv_tests::report::{page, publish, Bench, Error, Extent, Part};
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Instant;
 
@@ -21,6 +22,9 @@ struct Arguments {
     /// Parts of the report by name, in the report's order; all of them if none is named.
     #[arg(long, value_name = "PART", value_parser = part)]
     only: Vec<Part>,
+    /// Write the whole report to `docs` and the README's tables, too, where this is the workspace's folder.
+    #[arg(long, conflicts_with_all = ["quick", "only"])]
+    publish: bool,
     /// The folder of the report; made if need be.
     #[arg(long, value_name = "DIR", default_value = "target/report")]
     out: PathBuf,
@@ -65,6 +69,9 @@ fn report(arguments: &Arguments) -> Result<(), Error> {
     ];
     let document = Document { title: "prefilter: speed against error".into(), facts, sections };
     println!("written: {}", page::write(&arguments.out, &document)?.display());
+    if arguments.publish {
+        println!("written: {}", listed(&publish::publish(Path::new("."), device.label(), &document)?));
+    }
     Ok(())
 }
 

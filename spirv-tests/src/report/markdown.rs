@@ -19,12 +19,17 @@ fn section(section: &Section) -> String {
         let _ = match item {
             Item::Text(paragraph) => writeln!(text, "\n{paragraph}"),
             Item::Lines(lines) => writeln!(text, "\n```text\n{}\n```", lines.trim_end()),
-            Item::Table(table) => writeln!(text, "\n{}", self::table(table)),
+            Item::Table(table) => writeln!(text, "\n{}{}", mark(&table.stem), self::table(table)),
             Item::Plot(plot) => writeln!(text, "\n![{}]({}.svg)", plot.caption, plot.stem),
             Item::Sheet(sheet) => writeln!(text, "\n![{}]({}.png)", sheet.caption, sheet.stem),
         };
     }
     text
+}
+
+/// What stands in front of a table, so that it is found.
+pub fn mark(stem: &str) -> String {
+    format!("<!-- {stem} -->\n")
 }
 
 /// A table under its caption.

@@ -7,6 +7,7 @@ pub mod generation;
 pub mod markdown;
 pub mod page;
 pub mod plot;
+pub mod publish;
 pub mod timing;
 
 use cache::Cache;
