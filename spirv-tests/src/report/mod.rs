@@ -3,6 +3,7 @@
 pub mod cache;
 pub mod csv;
 pub mod document;
+pub mod filters;
 pub mod generation;
 pub mod markdown;
 pub mod page;
@@ -52,17 +53,20 @@ pub struct Bench<'a> {
 /// A part of the report.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {
+    /// Every filter by itself.
+    Filters,
     /// How long scenes take to become modules and tables.
     Generation,
 }
 
 impl Part {
     /// All of them, in the report's order.
-    pub const ALL: [Self; 1] = [Self::Generation];
+    pub const ALL: [Self; 2] = [Self::Filters, Self::Generation];
 
     /// Its name, as on the command line.
     pub fn name(self) -> &'static str {
         match self {
+            Self::Filters => "filters",
             Self::Generation => "generation",
         }
     }
@@ -70,6 +74,7 @@ impl Part {
     /// Steps that it does, some tenths of a second each, for a progress bar.
     pub fn steps(self, extent: Extent) -> u64 {
         match self {
+            Self::Filters => filters::steps(extent),
             Self::Generation => generation::steps(extent),
         }
     }
@@ -80,6 +85,7 @@ impl Part {
     /// Those of scenes, of the device and of files.
     pub fn section(self, bench: &Bench<'_>) -> Result<Section, Error> {
         match self {
+            Self::Filters => filters::section(bench),
             Self::Generation => generation::section(bench),
         }
     }

@@ -1,0 +1,136 @@
+//! How far each row of a case is from the truth, and how long it takes.
+
+use super::brute::{Brute, SIDES};
+use super::case::Case;
+use super::pixel::Pixel;
+use crate::exports::ExportKernel;
+use crate::gap::figure::{over_seeds, Figure};
+use crate::imaging::measure::{sizes, worst};
+use crate::random::Random;
+use crate::report::timing::{fastest, TURNS};
+use crate::report::{Bench, Error};
+
+/// Seeds that standard errors are from.
+pub const SEEDS: usize = 4;
+
+/// Pixels whose time is taken, or samples of them.
+const TIMED: usize = 1 << 15;
+
+/// Of samples at least so many pixels are timed.
+const LEAST: usize = 64;
+
+/// The sizes of a row's errors, and its time.
+#[derive(Clone, Copy, Debug)]
+pub struct Sizes {
+    /// Root of the mean square of the worst channel's error.
+    pub rms: Figure,
+    /// The error that 99 pixels in 100 stay below.
+    pub percentile: Figure,
+    /// The largest error.
+    pub maximum: Figure,
+    /// Milliseconds a megapixel.
+    pub time: f64,
+}
+
+/// What was measured of a case.
+#[derive(Clone, Debug)]
+pub struct Measured {
+    /// As many as the case has rows, in their order.
+    pub rows: Vec<Sizes>,
+    /// Samples a pixel, and what they do.
+    pub brute: Vec<(usize, Sizes)>,
+}
+
+impl Measured {
+    /// Samples and RMS errors.
+    pub fn samples(&self) -> Vec<(usize, f64)> {
+        self.brute.iter().map(|(count, sizes)| (*count, sizes.rms.value)).collect()
+    }
+
+    /// The time of so many samples: linear between the logarithms of those measured.
+    pub fn time_of(&self, samples: f64) -> f64 {
+        let known: Vec<(f64, f64)> = self.brute.iter().map(|(count, sizes)| (*count as f64, sizes.time)).collect();
+        let pair = known.windows(2).find(|pair| samples <= pair[1].0).or(known.windows(2).last());
+        pair.map_or(f64::NAN, |pair| {
+            let [(few, quick), (many, slow)] = [pair[0], pair[1]];
+            quick * (slow / quick).powf((samples / few).ln() / (many / few).ln())
+        })
+    }
+}
+
+/// Measures every row of a case.
+///
+/// # Errors
+/// What scenes and the device refuse.
+pub fn measure(bench: &Bench<'_>, case: &Case) -> Result<Measured, Error> {
+    let count = (bench.extent.pick(256, 4096) / case.share).max(32);
+    let pixels = pixels(case, count);
+    let all: Vec<Pixel> = pixels.concat();
+    let truth = truth(bench, case, &pixels, count)?;
+    (bench.done)(1);
+    let (mut dispatches, mut per, mut errors) = (Vec::new(), Vec::new(), Vec::new());
+    let mut add = |kernel: &ExportKernel, points: Vec<f32>, timed: Vec<f32>, count: usize| -> Result<(), Error> {
+        errors.push(differences(&kernel.run(&points)?, &truth));
+        dispatches.push(kernel.prepare(&timed)?);
+        per.push(count);
+        Ok(())
+    };
+    let many: Vec<Pixel> = all.iter().copied().cycle().take(TIMED).collect();
+    for row in &case.rows {
+        let kernel = row.kernel(bench.timed)?;
+        add(&kernel, row.points(&kernel, &all), row.points(&kernel, &many), TIMED)?;
+    }
+    let kernel = case.brute.kernel(bench.timed)?;
+    for side in SIDES {
+        let few = (TIMED / (side * side)).max(LEAST);
+        let points = Brute::points(&kernel, &all, side, 1);
+        add(&kernel, points, Brute::points(&kernel, &many[..few], side, 1), few)?;
+    }
+    (bench.done)(1);
+    let seconds = fastest(&dispatches, TURNS)?;
+    (bench.done)(1);
+    let times = seconds.iter().zip(per).map(|(seconds, count)| 1e9 * seconds / count as f64);
+    let mut sizes: Vec<Sizes> = errors.iter().zip(times).map(|(errors, time)| figures(errors, count, time)).collect();
+    let brute = sizes.split_off(case.rows.len());
+    Ok(Measured { rows: sizes, brute: SIDES.iter().map(|side| side * side).zip(brute).collect() })
+}
+
+/// Random pixels, seed by seed.
+pub fn pixels(case: &Case, count: usize) -> Vec<Vec<Pixel>> {
+    let of = |seed: usize| {
+        let mut random = Random::new(0x5eed + seed as u32);
+        (0..count).map(|_| case.drawn.pixel(&mut random)).collect()
+    };
+    (0..SEEDS).map(of).collect()
+}
+
+/// The integral at every pixel.
+fn truth(bench: &Bench<'_>, case: &Case, pixels: &[Vec<Pixel>], count: usize) -> Result<Vec<[f32; 3]>, Error> {
+    let drawn = format!("{} {:?} {count}", case.stem, case.drawn);
+    let common =
+        [drawn.as_str(), include_str!("pixel.rs"), include_str!("measure.rs"), include_str!("../../random.rs")];
+    let inputs: Vec<&str> = common.into_iter().chain(case.sources.iter().copied()).collect();
+    let kept = bench.cache.numbers(&inputs, 3 * SEEDS * count, || {
+        let of = |seed: u64| -> Vec<f32> {
+            let colors = pixels[seed as usize].iter().map(|pixel| (case.truth)(pixel));
+            colors.flat_map(|color| [0, 1, 2].map(|channel| color[channel] as f32)).collect()
+        };
+        Ok::<_, Error>(over_seeds(SEEDS, of).concat())
+    })?;
+    Ok(kept.chunks_exact(3).map(|color| [color[0], color[1], color[2]]).collect())
+}
+
+fn differences(colors: &[[f32; 4]], truth: &[[f32; 3]]) -> Vec<f32> {
+    let apart = |(color, truth): (&[f32; 4], &[f32; 3])| worst(&[color[0], color[1], color[2]], truth);
+    colors.iter().zip(truth).map(apart).collect()
+}
+
+/// Figures of the errors of all seeds, `count` of each.
+fn figures(errors: &[f32], count: usize, time: f64) -> Sizes {
+    let seeds: Vec<&[f32]> = errors.chunks_exact(count).collect();
+    let [rms, percentile, maximum] = Figure::jackknife(&seeds, |seeds| {
+        let all = sizes(seeds.iter().flat_map(|errors| errors.iter().copied()).collect());
+        [all.rms, all.percentile, all.maximum]
+    });
+    Sizes { rms, percentile, maximum, time }
+}
