@@ -215,7 +215,7 @@ fn worst(promise: Promise, row: &Row, points: &[Vec<f64>], results: &[Vec<f64>])
 /// The largest distance of two results in the promise's measure; infinite where one is NaN or a component is missing.
 ///
 /// WGSL lets a device flush subnormal results: a zero in place of one is no error.
-fn error(promise: Promise, got: &[f64], expected: &[f64]) -> f64 {
+pub(crate) fn error(promise: Promise, got: &[f64], expected: &[f64]) -> f64 {
     if got.len() != expected.len() {
         return f64::INFINITY;
     }

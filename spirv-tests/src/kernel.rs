@@ -33,6 +33,16 @@ impl Function {
         functions.map(|(path, declaration)| Self::new(path, &declaration, String::new())?.with_makers()).collect()
     }
 
+    /// One function of the shelf.
+    ///
+    /// # Errors
+    /// A message where there is none of that name, or as [`Function::shelf`].
+    pub fn of_shelf(name: &str) -> Result<Self, String> {
+        let found = Self::declared().into_iter().find(|(_, declaration)| declaration.name == name);
+        let (path, declaration) = found.ok_or_else(|| format!("the shelf has no function `{name}`"))?;
+        Self::new(path, &declaration, String::new())?.with_makers()
+    }
+
     /// The functions that the shelf declares, with their files.
     pub(crate) fn declared() -> Vec<(&'static str, prefilter_wgsl::Declaration<'static>)> {
         let files = prefilter_wgsl::FILES.iter();

@@ -33,6 +33,9 @@ pub enum Error {
     /// The color maps' file.
     #[error("the color maps: {0}")]
     Map(String),
+    /// What is measured.
+    #[error("a measurement: {0}")]
+    Measured(String),
     /// A plot.
     #[error("a plot: {0}")]
     Plot(String),

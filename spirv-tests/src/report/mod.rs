@@ -3,6 +3,7 @@
 pub mod cache;
 pub mod csv;
 pub mod document;
+pub mod extremes;
 pub mod filters;
 pub mod generation;
 pub mod markdown;
@@ -55,18 +56,21 @@ pub struct Bench<'a> {
 pub enum Part {
     /// Every filter by itself.
     Filters,
+    /// Hard cases.
+    Extremes,
     /// How long scenes take to become modules and tables.
     Generation,
 }
 
 impl Part {
     /// All of them, in the report's order.
-    pub const ALL: [Self; 2] = [Self::Filters, Self::Generation];
+    pub const ALL: [Self; 3] = [Self::Filters, Self::Extremes, Self::Generation];
 
     /// Its name, as on the command line.
     pub fn name(self) -> &'static str {
         match self {
             Self::Filters => "filters",
+            Self::Extremes => "extremes",
             Self::Generation => "generation",
         }
     }
@@ -75,6 +79,7 @@ impl Part {
     pub fn steps(self, extent: Extent) -> u64 {
         match self {
             Self::Filters => filters::steps(extent),
+            Self::Extremes => extremes::steps(extent),
             Self::Generation => generation::steps(extent),
         }
     }
@@ -86,6 +91,7 @@ impl Part {
     pub fn section(self, bench: &Bench<'_>) -> Result<Section, Error> {
         match self {
             Self::Filters => filters::section(bench),
+            Self::Extremes => extremes::section(bench),
             Self::Generation => generation::section(bench),
         }
     }
