@@ -104,11 +104,16 @@ where
         if series.joined {
             chart.draw_series(LineSeries::new(points.iter().copied(), color.stroke_width(2)))?;
         }
-        chart.draw_series(points.iter().map(|point| Circle::new(*point, 4, color.filled())))?;
-        let top = 24 + 20 * number as i32;
-        let left = SIZE.0 as i32 - 236;
-        area.draw(&Circle::new((left, top + 7), 4, color.filled()))?;
+        let (left, top) = (SIZE.0 as i32 - 236, 24 + 20 * number as i32);
         area.draw(&Text::new(series.label.clone(), (left + 12, top), ("sans-serif", 13)))?;
+        // Colors begin anew with another mark.
+        if number / COLORS.len() % 2 == 0 {
+            chart.draw_series(points.iter().map(|point| Circle::new(*point, 4, color.filled())))?;
+            area.draw(&Circle::new((left, top + 7), 4, color.filled()))?;
+        } else {
+            chart.draw_series(points.iter().map(|point| Cross::new(*point, 4, color.stroke_width(2))))?;
+            area.draw(&Cross::new((left, top + 7), 4, color.stroke_width(2)))?;
+        }
     }
     area.present()?;
     Ok(())
