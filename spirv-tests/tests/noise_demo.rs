@@ -11,14 +11,21 @@ use spirv_tests::noise::judge::{judge, Extent, Judged};
 use spirv_tests::noise::method::Method;
 use spirv_tests::noise::truth::numbers;
 use spirv_tests::noise::{table, Error};
+use spirv_tests::report::cache::Cache;
 
-const EXTENT: Extent =
-    Extent { still: [[48, 36], [60, 26]], moving: [[48, 36], [60, 26]], frames: 6, strata: [32, 16], seeds: 2 };
+const EXTENT: Extent = Extent {
+    still: [[48, 36], [60, 26]],
+    moving: [[48, 36], [60, 26]],
+    frames: 6,
+    strata: [32, 16],
+    seeds: 2,
+    moved: 0,
+};
 
 const OURS: [Method; 3] = [Method::Ours(Taps::One), Method::Ours(Taps::Four), Method::Ours(Taps::Eight)];
 
 fn judged(input: &Input) -> Result<Judged, Error> {
-    let judged = judge(&Device::new()?, input, EXTENT, &|_| ())?;
+    let judged = judge(&Device::new()?, input, EXTENT, &Cache::none(), &|_| ())?;
     println!("{}", table::text(&judged));
     Ok(judged)
 }

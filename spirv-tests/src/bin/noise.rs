@@ -10,6 +10,7 @@ use spirv_tests::noise::judge::{judge, Extent};
 use spirv_tests::noise::sheet::{self, Shown};
 use spirv_tests::noise::{table, Error};
 use spirv_tests::program::{bar, end};
+use spirv_tests::report::cache::Cache;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -25,10 +26,22 @@ struct Arguments {
     out: PathBuf,
 }
 
-const FULL: Extent =
-    Extent { still: [[48, 36], [108, 46]], moving: [[48, 36], [72, 30]], frames: 12, strata: [32, 16], seeds: 4 };
-const QUICK: Extent =
-    Extent { still: [[48, 36], [72, 30]], moving: [[48, 36], [72, 30]], frames: 6, strata: [16, 8], seeds: 2 };
+const FULL: Extent = Extent {
+    still: [[48, 36], [108, 46]],
+    moving: [[48, 36], [72, 30]],
+    frames: 12,
+    strata: [32, 16],
+    seeds: 4,
+    moved: 0,
+};
+const QUICK: Extent = Extent {
+    still: [[48, 36], [72, 30]],
+    moving: [[48, 36], [72, 30]],
+    frames: 6,
+    strata: [16, 8],
+    seeds: 2,
+    moved: 0,
+};
 
 fn main() -> ExitCode {
     end(noise(&Arguments::parse()))
@@ -45,14 +58,15 @@ fn size(input: &Input) -> [usize; 2] {
 fn noise(arguments: &Arguments) -> Result<(), Error> {
     let extent = if arguments.quick { QUICK } else { FULL };
     let device = Device::new()?;
-    let inputs = Input::all()?;
+    let (inputs, cache) = (Input::all()?, Cache::none());
     let on_sheet = |input: &&Input| input.name != "steps6";
     let shown: u64 = inputs.iter().filter(on_sheet).map(|input| Shown::samples(size(input))).sum();
     let total = shown + inputs.iter().map(|input| extent.samples(input)).sum::<u64>();
     let bar = bar(total, "noise");
     let done = |taken| bar.inc(taken);
-    let all = inputs.iter().map(|input| judge(&device, input, extent, &done)).collect::<Result<Vec<_>, Error>>()?;
-    let shown = inputs.iter().filter(on_sheet).map(|input| Shown::new(&device, input, size(input), &done));
+    let all =
+        inputs.iter().map(|input| judge(&device, input, extent, &cache, &done)).collect::<Result<Vec<_>, Error>>()?;
+    let shown = inputs.iter().filter(on_sheet).map(|input| Shown::new(&device, input, size(input), &cache, &done));
     let shown = shown.collect::<Result<Vec<_>, Error>>()?;
     bar.finish_and_clear();
     println!("{}", table::legend(device.label(), extent.seeds));

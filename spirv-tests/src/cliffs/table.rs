@@ -53,7 +53,7 @@ pub fn text(judged: &Judged) -> String {
                     }
                     _ => String::new(),
                 };
-                for number in [found.rms.value, found.percentile.value, found.maximum] {
+                for number in [found.rms.value, found.percentile.value, found.maximum.value] {
                     let _ = if number.is_nan() { write!(table, "{:>7}", "-") } else { write!(table, "{number:7.4}") };
                 }
                 let _ = write!(table, "{count:>8}  ");
@@ -151,7 +151,7 @@ fn csv_row(table: &mut String, row: &Row, method: Method, region: Option<Region>
     let regions = row.places.iter().flat_map(|place| &place.regions);
     let count = regions.filter(|of| region.is_none_or(|region| region == **of)).count();
     let numbers =
-        [found.rms.value, found.rms.error, truth, found.percentile.value, found.percentile.error, found.maximum];
+        [found.rms.value, found.rms.error, truth, found.percentile.value, found.percentile.error, found.maximum.value];
     let numbers = numbers.map(|number| format!("{number:.5}")).join(",");
     let _ = writeln!(table, "{},{count},{numbers},{}", names.join(","), samples(row.samples(method, region)));
 }

@@ -91,7 +91,7 @@ pub fn csv(judged: &Judged) -> String {
                     truth,
                     found.percentile.value,
                     found.percentile.error,
-                    found.maximum,
+                    found.maximum.value,
                 ];
                 let numbers = numbers.map(|number| format!("{number:.5}")).join(",");
                 let _ = writeln!(table, "{names},{},{numbers}", row.pixels(part));

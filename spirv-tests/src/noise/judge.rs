@@ -3,7 +3,7 @@
 use super::input::{Ground, Input};
 use super::lens::Lens;
 use super::method::{Method, Renderer};
-use super::truth::{Look, Sampler};
+use super::truth::{Look, Sampler, SAME};
 use super::Error;
 use crate::demo::motion::Motion;
 use crate::gap::figure::Figure;
@@ -12,6 +12,7 @@ use crate::imaging::picture::Picture;
 use crate::imaging::region::Region;
 use crate::imaging::shimmer::shimmer;
 use crate::imaging::tally::{sizes, Errors, Of};
+use crate::report::cache::Cache;
 use prefilter::gpu::Device;
 
 /// The share of the noise's variance from which a pixel that loses it is far.
@@ -33,11 +34,18 @@ pub struct Extent {
     pub strata: [usize; 2],
     /// Parts of the noise.
     pub seeds: u32,
+    /// How many of [`BRUTE`] are moved, too.
+    pub moved: usize,
 }
 
 impl Extent {
     fn of(sizes: [[usize; 2]; 2], ground: Ground) -> [usize; 2] {
         sizes[usize::from(ground == Ground::Blocks)]
+    }
+
+    /// Strata an axis of brute force that is moved.
+    fn moved(self) -> &'static [usize] {
+        &BRUTE[..self.moved.min(BRUTE.len())]
     }
 
     /// Samples that [`judge`] takes of an input, for a progress bar.
@@ -46,15 +54,19 @@ impl Extent {
         let brute: usize = BRUTE.iter().map(|strata| strata * strata).sum();
         let [still, moving] = self.strata.map(|strata| 2 * strata * strata);
         let frames = Motion::ALL.len() * self.frames;
-        u64::from(self.seeds) * (pixels(self.still) * (still + brute) + pixels(self.moving) * moving * frames) as u64
+        let moved: usize = self.moved().iter().map(|strata| strata * strata).sum();
+        let moving = pixels(self.moving) * (moving + moved) * frames;
+        u64::from(self.seeds) * (pixels(self.still) * (still + brute) + moving) as u64
     }
 }
 
 /// What one part of the noise shows in motion.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Shimmer {
     /// Of each method, in the order of [`Method::ALL`]; NaN where there is none for the input.
     pub methods: [f64; Method::ALL.len()],
+    /// Of those of [`BRUTE`] that are moved: a pixel has the same samples in every frame.
+    pub brute: Vec<f64>,
     /// How much of that is the truth's own.
     pub truth: f64,
 }
@@ -89,12 +101,18 @@ impl Judged {
 
     /// Shimmer of a method in a motion, over all parts of the noise, without the truth's own.
     pub fn shimmer(&self, method: Method, motion: Motion) -> Figure {
+        self.unsteady(motion, &|seed| seed.methods.get(method.number()).copied())
+    }
+
+    /// The same of brute force, by its number in [`BRUTE`]; NaN where it was not moved.
+    pub fn brute_shimmer(&self, number: usize, motion: Motion) -> Figure {
+        self.unsteady(motion, &|seed| seed.brute.get(number).copied())
+    }
+
+    fn unsteady(&self, motion: Motion, shown: &dyn Fn(&Shimmer) -> Option<f64>) -> Figure {
         let series = &self.motions[usize::from(motion == Motion::Zoom)];
         let [figure] = Figure::jackknife(series, |some| {
-            let square = |seed: &&Shimmer| {
-                let shown = seed.methods.get(method.number()).copied().unwrap_or(f64::NAN);
-                shown.powi(2) - seed.truth.powi(2)
-            };
+            let square = |seed: &&Shimmer| shown(seed).unwrap_or(f64::NAN).powi(2) - seed.truth.powi(2);
             let left = some.iter().map(square).sum::<f64>() / some.len() as f64;
             [if left < 0.0 { 0.0 } else { left.sqrt() }]
         });
@@ -111,12 +129,19 @@ struct Studio<'a> {
     done: &'a dyn Fn(u64),
 }
 
-/// Judges every method on an input. `done` is told how many samples have been taken.
+/// Judges every method on an input. What is sampled is kept in `cache`; `done` is told how many samples have been
+/// taken.
 ///
 /// # Errors
 /// Those of scenes and of the device.
-pub fn judge(device: &Device, input: &Input, extent: Extent, done: &dyn Fn(u64)) -> Result<Judged, Error> {
-    let sampler = Sampler::new(device, input)?;
+pub fn judge(
+    device: &Device,
+    input: &Input,
+    extent: Extent,
+    cache: &Cache,
+    done: &dyn Fn(u64),
+) -> Result<Judged, Error> {
+    let sampler = Sampler::new(device, input, cache)?;
     let renderer = |method| input.has(method).then(|| Renderer::new(device, &sampler, method)).transpose();
     let renderers = Method::ALL.into_iter().map(renderer);
     let studio = Studio { sampler: &sampler, renderers: renderers.collect::<Result<_, _>>()?, extent, done };
@@ -196,7 +221,12 @@ impl Studio<'_> {
         for (figure, frames) in methods.iter_mut().zip(&shown).filter(|(_, frames)| !frames.is_empty()) {
             *figure = shimmer(&of(frames), &true_frames);
         }
-        Ok(Some(Shimmer { methods, truth: 0.5 * shimmer(&half(0), &half(1)) }))
+        let brute = self.extent.moved().iter().map(|&strata| {
+            let frames = lenses.iter().map(|lens| self.sampler.picture(lens, seed, strata, SAME, self.done));
+            Ok(shimmer(&of(&frames.collect::<Result<Vec<_>, Error>>()?), &true_frames))
+        });
+        let brute = brute.collect::<Result<_, Error>>()?;
+        Ok(Some(Shimmer { methods, brute, truth: 0.5 * shimmer(&half(0), &half(1)) }))
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::input::Input;
 use super::lens::Lens;
-use super::truth::{numbers, Look, Sampler};
+use super::truth::{numbers, Look, Sampler, SAME};
 use super::Error;
 use prefilter::driver::taps::Taps;
 use prefilter::gpu::{Address, Device, Dispatch, Kernel, Texture, Work};
@@ -84,8 +84,16 @@ impl Method {
         }
     }
 
+    /// Whether it asks the driver.
+    pub fn is_driven(self) -> bool {
+        matches!(self, Self::Mean | Self::Paper | Self::Ours(_) | Self::Curvature)
+    }
+
     /// The module that the kernel calls; what it does not call is linked and dropped.
-    fn module(self, input: &Input) -> Result<Module, Error> {
+    ///
+    /// # Errors
+    /// Those of the scene.
+    pub fn module(self, input: &Input) -> Result<Module, Error> {
         let scene = Scene::new("surface").texture(input.map.clone()).driver(input.driver(self));
         let scene = if self == Self::Paper { scene.tier(Tier::Paper) } else { scene };
         Ok(scene.module()?)
@@ -109,13 +117,27 @@ impl<'a> Renderer<'a> {
     /// # Errors
     /// Those of the scene and of the device.
     pub fn new(device: &Device, sampler: &'a Sampler<'a>, method: Method) -> Result<Self, Error> {
+        let strata = if let Method::Stratified(strata) = method { Some(strata) } else { None };
+        let module = method.module(sampler.input())?;
+        Ok(Self { strata, ..Self::of(device, sampler, &module, method.text())? })
+    }
+
+    /// The naive tier with the same driver as a method's.
+    ///
+    /// # Errors
+    /// Those of the scene and of the device.
+    pub fn naive(device: &Device, sampler: &'a Sampler<'a>, method: Method) -> Result<Self, Error> {
         let input = sampler.input();
-        let module = method.module(input)?;
-        let text = [input.world(), include_str!("shade.wgsl").to_owned(), method.text().to_owned()].concat();
+        let scene = Scene::new("surface").texture(input.map.clone()).driver(input.driver(method));
+        Self::of(device, sampler, &scene.tier(Tier::Naive).module()?, include_str!("methods/ours.wgsl"))
+    }
+
+    fn of(device: &Device, sampler: &'a Sampler<'a>, module: &Module, text: &str) -> Result<Self, Error> {
+        let input = sampler.input();
+        let text = [input.world(), include_str!("shade.wgsl").to_owned(), text.to_owned()].concat();
         let kernel = Kernel::new(device, module.link(&text)?.wgsl(), "main")?;
         let textures = module.tables().iter().map(|table| device.upload(table, Address::Clamp));
-        let strata = if let Method::Stratified(strata) = method { Some(strata) } else { None };
-        Ok(Self { input, sampler, strata, kernel, textures: textures.collect::<Result<_, _>>()? })
+        Ok(Self { input, sampler, strata: None, kernel, textures: textures.collect::<Result<_, _>>()? })
     }
 
     /// What every pixel shows; `seed` says from where, and what brute force draws.
@@ -124,7 +146,7 @@ impl<'a> Renderer<'a> {
     /// Those of the device.
     pub fn picture(&self, lens: &Lens, seed: u32) -> Result<Vec<Look>, Error> {
         if let Some(strata) = self.strata {
-            return self.sampler.picture(lens, seed, strata, 77, &|_| ());
+            return self.sampler.picture(lens, seed, strata, SAME, &|_| ());
         }
         let channels = self.prepare(lens, seed)?.run()?;
         let look = |pixel: &[f32]| Look {
@@ -143,14 +165,18 @@ impl<'a> Renderer<'a> {
     /// Those of the device.
     pub fn milliseconds(&self, lens: &Lens) -> Result<f64, Error> {
         let dispatch = match self.strata {
-            Some(strata) => self.sampler.prepare(lens, 1, strata, 77, 0..strata * strata)?,
+            Some(strata) => self.sampler.prepare(lens, 1, strata, SAME, 0..strata * strata)?,
             None => self.prepare(lens, 1)?,
         };
         let times = (0..2 + TIMED).map(|_| dispatch.time()).skip(2).collect::<Result<Vec<f64>, _>>()?;
         Ok(1e3 * times.into_iter().fold(f64::INFINITY, f64::min))
     }
 
-    fn prepare(&self, lens: &Lens, seed: u32) -> Result<Dispatch, Error> {
+    /// The kernel with its inputs; not that of brute force.
+    ///
+    /// # Errors
+    /// Those of the device.
+    pub fn prepare(&self, lens: &Lens, seed: u32) -> Result<Dispatch, Error> {
         let (shot, knots) = (numbers(self.input, lens, seed), self.sampler.knots());
         let textures: Vec<&Texture> = self.textures.iter().collect();
         let (invocations, output) = (lens.pixels(), 4 * lens.pixels());

@@ -9,6 +9,7 @@ use super::Error;
 use crate::imaging::canvas::{Canvas, Letters};
 use crate::imaging::measure::root_mean_square;
 use crate::imaging::picture::Picture;
+use crate::report::cache::Cache;
 use prefilter::driver::taps::Taps;
 use prefilter::gpu::Device;
 
@@ -62,8 +63,14 @@ impl Shown {
     ///
     /// # Errors
     /// Those of scenes and of the device.
-    pub fn new(device: &Device, input: &Input, size: [usize; 2], done: &dyn Fn(u64)) -> Result<Self, Error> {
-        let (sampler, lens) = (Sampler::new(device, input)?, input.lens(size));
+    pub fn new(
+        device: &Device,
+        input: &Input,
+        size: [usize; 2],
+        cache: &Cache,
+        done: &dyn Fn(u64),
+    ) -> Result<Self, Error> {
+        let (sampler, lens) = (Sampler::new(device, input, cache)?, input.lens(size));
         let methods = SHOWN.iter().map(|&method| Renderer::new(device, &sampler, method)?.picture(&lens, 1));
         let methods = methods.collect::<Result<_, _>>()?;
         let truth = sampler.picture(&lens, 1, TRUTH, 0, done)?;
@@ -75,8 +82,14 @@ impl Shown {
         (width * height * TRUTH * TRUTH) as u64
     }
 
+    /// What is shown: a method and its pixels, and the truth's at the end.
+    pub fn looks(&self) -> impl Iterator<Item = (Option<Method>, &[Look])> + '_ {
+        let methods = SHOWN.into_iter().map(Some).zip(self.methods.iter().map(Vec::as_slice));
+        methods.chain([(None, self.truth.as_slice())])
+    }
+
     /// What people are shown of colors: in the truth's light, before something.
-    fn picture(&self, looks: &[Look]) -> Picture {
+    pub fn picture(&self, looks: &[Look]) -> Picture {
         let (Lens { width, height, .. }, naive) = (self.lens, &self.methods[0]);
         let pixel = |(number, (look, truth)): (usize, (&Look, &Look))| {
             let along = (number / width) as f32 / height as f32;
@@ -91,14 +104,14 @@ impl Shown {
     }
 
     /// The errors of all pixels: none where there is no color to judge.
-    fn errors(&self, looks: &[Look]) -> Vec<f32> {
+    pub fn errors(&self, looks: &[Look]) -> Vec<f32> {
         let naive = &self.methods[0];
         let pixels = looks.iter().zip(&self.truth).zip(naive);
         pixels.map(|((look, truth), naive)| if is_judged(naive, truth) { error(look, truth) } else { 0.0 }).collect()
     }
 
     /// Root mean square of the judged errors.
-    fn rms(&self, looks: &[Look]) -> f64 {
+    pub fn rms(&self, looks: &[Look]) -> f64 {
         let judged = self.methods[0].iter().zip(&self.truth).map(|(naive, truth)| is_judged(naive, truth));
         let errors = self.errors(looks).into_iter().zip(judged).filter(|pixel| pixel.1).map(|pixel| pixel.0);
         root_mean_square(&errors.collect::<Vec<_>>())

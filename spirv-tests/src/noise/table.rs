@@ -22,7 +22,9 @@ pub fn text(judged: &Judged) -> String {
         let of = |region| sizes(&judged.stills, Of::Method(method.number()), region);
         let (all, regions) = (of(None), [Region::Near, Region::Between, Region::Far].map(|region| of(Some(region))));
         let _ = write!(table, "{:23}{:8.4}{:8.4}", method.label(), all.rms.value, all.rms.error);
-        for number in regions.map(|region| region.rms.value).into_iter().chain([all.percentile.value, all.maximum]) {
+        for number in
+            regions.map(|region| region.rms.value).into_iter().chain([all.percentile.value, all.maximum.value])
+        {
             let _ = write!(table, "{number:8.4}");
         }
         let _ = write!(table, "{:>8}", samples(judged.samples(method, None)));
@@ -72,7 +74,7 @@ fn csv_row(table: &mut String, judged: &Judged, method: Method, region: Option<R
     }
     let truth = sizes(&judged.stills, Of::Truth, region).rms.value;
     let numbers =
-        [found.rms.value, found.rms.error, truth, found.percentile.value, found.percentile.error, found.maximum];
+        [found.rms.value, found.rms.error, truth, found.percentile.value, found.percentile.error, found.maximum.value];
     let numbers = numbers.map(|number| format!("{number:.5}")).join(",");
     let (name, method_name, region_name) = (judged.input.name, method.label(), region.map_or("all", Region::name));
     let samples = samples(judged.samples(method, region));

@@ -8,6 +8,7 @@ use super::input::Input;
 use super::lens::Lens;
 use super::Error;
 use crate::imaging::pixel::{Pixel, PIXEL_DEVIATION};
+use crate::report::cache::Cache;
 use prefilter::gpu::{Device, Dispatch, Kernel, Work};
 use std::ops::Range;
 
@@ -40,8 +41,15 @@ impl Look {
     }
 }
 
+/// The number of samples that are the same in every frame: drawn anew they would shimmer more.
+pub const SAME: u32 = 77;
+
 /// Samples a pass takes at most, all pixels together: some tenths of a second on two cores.
 const PASS: usize = 1 << 21;
+
+/// Samples a pass takes at most of a pixel. Mesa's llvmpipe ends all loops of an invocation after 65535 iterations,
+/// counted over all of them, and says nothing; a sample of blocks takes up to 223.
+const DEEP: usize = 256;
 
 /// Colors of an input by supersampling.
 #[derive(Clone, Debug)]
@@ -50,22 +58,28 @@ pub struct Sampler<'a> {
     kernel: Kernel,
     knots: Vec<f32>,
     offsets: Vec<f32>,
+    cache: &'a Cache,
+    /// What all pictures depend on, for the cache: the program and the device.
+    program: String,
 }
 
 impl<'a> Sampler<'a> {
-    /// Compiles the kernel.
+    /// Compiles the kernel; pictures are kept in `cache`.
     ///
     /// # Errors
     /// Those of the device.
-    pub fn new(device: &Device, input: &'a Input) -> Result<Self, Error> {
+    pub fn new(device: &Device, input: &'a Input, cache: &'a Cache) -> Result<Self, Error> {
         let text = [input.world(), include_str!("truth.wgsl").to_owned()].concat();
-        let kernel = Kernel::new(device, prefilter::link(&[], &text)?.wgsl(), "main")?;
+        let linked = prefilter::link(&[], &text)?;
+        let kernel = Kernel::new(device, linked.wgsl(), "main")?;
+        let program = [include_str!("truth.rs"), linked.wgsl(), device.label()].join("\n");
         let knots = input.map.reference().knots.into_iter().flat_map(|(position, left, right)| {
             let [left, right] = [left, right].map(|color| [color[0], color[1], color[2], position]);
             [left, right].concat()
         });
         let offsets = Pixel::default().offsets().iter().map(|offset| (PIXEL_DEVIATION * offset) as f32).collect();
-        Ok(Self { input, kernel, knots: knots.map(|number| number as f32).collect(), offsets })
+        let knots = knots.map(|number| number as f32).collect();
+        Ok(Self { input, kernel, knots, offsets, cache, program })
     }
 
     /// What is sampled.
@@ -91,7 +105,33 @@ impl<'a> Sampler<'a> {
         number: u32,
         done: &dyn Fn(u64),
     ) -> Result<Vec<Look>, Error> {
-        let (all, step) = (strata * strata, (PASS / lens.pixels()).max(1));
+        let numbers = self.cache.numbers(
+            &[
+                &self.program,
+                &format!("{:?}", (numbers(self.input, lens, seed), &self.knots, &self.offsets, strata, number)),
+            ],
+            5 * lens.pixels(),
+            || self.sampled(lens, seed, strata, number, done),
+        )?;
+        let look = |pixel: &[f32]| Look {
+            color: [pixel[0], pixel[1], pixel[2]],
+            share: pixel[3],
+            light: pixel[4],
+            length: 0.0,
+        };
+        Ok(numbers.chunks_exact(5).map(look).collect())
+    }
+
+    /// Color, share and light of every pixel.
+    fn sampled(
+        &self,
+        lens: &Lens,
+        seed: u32,
+        strata: usize,
+        number: u32,
+        done: &dyn Fn(u64),
+    ) -> Result<Vec<f32>, Error> {
+        let (all, step) = (strata * strata, (PASS / lens.pixels()).clamp(1, DEEP));
         let mut sums = vec![[0.0f64; 5]; lens.pixels()];
         for start in (0..all).step_by(step) {
             let strata = self.prepare(lens, seed, strata, number, start..all.min(start + step))?.run()?;
@@ -103,11 +143,10 @@ impl<'a> Sampler<'a> {
             done((lens.pixels() * step.min(all - start)) as u64);
         }
         let look = |[red, green, blue, count, light]: [f64; 5]| {
-            let mean = |total: f64| if count == 0.0 { 0.0 } else { (total / count) as f32 };
-            let share = (count / all as f64) as f32;
-            Look { color: [red, green, blue].map(mean), share, light: mean(light), length: 0.0 }
+            let mean = |total: f64| if count == 0.0 { 0.0 } else { total / count };
+            [mean(red), mean(green), mean(blue), count / all as f64, mean(light)].map(|number| number as f32)
         };
-        Ok(sums.into_iter().map(look).collect())
+        Ok(sums.into_iter().flat_map(look).collect())
     }
 
     /// One pass over some strata.

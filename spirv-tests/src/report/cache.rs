@@ -7,13 +7,18 @@ use std::path::{Path, PathBuf};
 /// A folder of lists of numbers.
 #[derive(Clone, Debug)]
 pub struct Cache {
-    folder: PathBuf,
+    folder: Option<PathBuf>,
 }
 
 impl Cache {
     /// The numbers kept in a folder, which is made when there are some.
     pub fn new(folder: &Path) -> Self {
-        Self { folder: folder.to_path_buf() }
+        Self { folder: Some(folder.to_path_buf()) }
+    }
+
+    /// None are kept: all are made.
+    pub fn none() -> Self {
+        Self { folder: None }
     }
 
     /// `count` numbers of these inputs: those kept, or else those that are made now, which are kept. `inputs` says all
@@ -29,13 +34,14 @@ impl Cache {
         count: usize,
         make: impl FnOnce() -> Result<Vec<f32>, E>,
     ) -> Result<Vec<f32>, E> {
-        let path = self.folder.join(name(inputs));
+        let Some(folder) = &self.folder else { return make() };
+        let path = folder.join(name(inputs));
         if let Some(kept) = std::fs::read(&path).ok().filter(|kept| kept.len() == 4 * count) {
             return Ok(bytemuck::pod_collect_to_vec(&kept));
         }
         let made = make()?;
         // Whatever happens to the file, the numbers are there.
-        let _ = std::fs::create_dir_all(&self.folder);
+        let _ = std::fs::create_dir_all(folder);
         let partial = path.with_extension("partial");
         let written = std::fs::write(&partial, bytemuck::cast_slice(&made));
         let _ = written.and_then(|()| std::fs::rename(&partial, &path));

@@ -10,6 +10,7 @@ pub mod markdown;
 pub mod page;
 pub mod plot;
 pub mod publish;
+pub mod scenes;
 pub mod timing;
 
 use cache::Cache;
@@ -48,7 +49,7 @@ pub struct Bench<'a> {
     /// Where ground truths are kept.
     pub cache: &'a Cache,
     /// Is told about every so many steps that have been done.
-    pub done: &'a dyn Fn(u64),
+    pub done: &'a (dyn Fn(u64) + Sync),
 }
 
 /// A part of the report.
@@ -56,6 +57,8 @@ pub struct Bench<'a> {
 pub enum Part {
     /// Every filter by itself.
     Filters,
+    /// The examples' scenes, all methods side by side.
+    Scenes,
     /// Hard cases.
     Extremes,
     /// How long scenes take to become modules and tables.
@@ -64,12 +67,13 @@ pub enum Part {
 
 impl Part {
     /// All of them, in the report's order.
-    pub const ALL: [Self; 3] = [Self::Filters, Self::Extremes, Self::Generation];
+    pub const ALL: [Self; 4] = [Self::Filters, Self::Scenes, Self::Extremes, Self::Generation];
 
     /// Its name, as on the command line.
     pub fn name(self) -> &'static str {
         match self {
             Self::Filters => "filters",
+            Self::Scenes => "scenes",
             Self::Extremes => "extremes",
             Self::Generation => "generation",
         }
@@ -79,6 +83,7 @@ impl Part {
     pub fn steps(self, extent: Extent) -> u64 {
         match self {
             Self::Filters => filters::steps(extent),
+            Self::Scenes => scenes::steps(extent),
             Self::Extremes => extremes::steps(extent),
             Self::Generation => generation::steps(extent),
         }
@@ -91,6 +96,7 @@ impl Part {
     pub fn section(self, bench: &Bench<'_>) -> Result<Section, Error> {
         match self {
             Self::Filters => filters::section(bench),
+            Self::Scenes => scenes::section(bench),
             Self::Extremes => extremes::section(bench),
             Self::Generation => generation::section(bench),
         }
