@@ -11,7 +11,7 @@ use spirv_tests::report::filters::{cases, pixel::Pixel};
 type Outcome = Result<(), Box<dyn Error + Send + Sync>>;
 
 /// Pixels of each case, and runs of 1024 samples each that are averaged.
-const PIXELS: usize = 24;
+const PIXELS: usize = 8;
 const RUNS: usize = 64;
 
 /// The mean of all runs of a case and how far it may be by chance: their deviation over √RUNS.

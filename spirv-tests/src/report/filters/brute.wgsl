@@ -17,10 +17,11 @@ fn brute_point(index: u32, side: u32, seed: u32) -> vec2f {
     return (vec2f(f32(index % side), f32(index / side)) + jitter) / f32(side);
 }
 
-/// A random number of stratum `index` of `count`, a power of two, of 0 to 1, the strata in another order.
-fn brute_number(index: u32, count: u32, seed: u32) -> f32 {
-    let bits = brute_bits(seed * 2048u + index + 1024u);
-    let stratum = (index * 421u + (seed >> 3u)) % count;
+/// A random number of one of `count` strata of 0 to 1, a power of two, all of which come up once, in an order by an odd
+/// stride.
+fn brute_number(index: u32, count: u32, stride: u32, seed: u32) -> f32 {
+    let stratum = (index * stride + brute_bits(seed + stride)) % count;
+    let bits = brute_bits(seed * 2048u + index + 1024u * stride);
     return (f32(stratum) + (f32(bits >> 16u) + 0.5) / 65536.0) / f32(count);
 }
 

@@ -29,10 +29,11 @@ pub struct Row {
     /// What a scene without settings chooses.
     pub default: bool,
     /// What its function calls.
-    modules: Vec<Module>,
+    pub(super) modules: Vec<Module>,
     /// A text before the modules, where the function is in none of them.
-    text: String,
-    function: String,
+    pub(super) text: String,
+    /// The function.
+    pub(super) function: String,
     /// Pixels are shown to it from straight above.
     straight: bool,
     /// Whether its module's bound is one against the truth.

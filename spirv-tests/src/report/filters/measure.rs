@@ -2,6 +2,7 @@
 
 use super::brute::{Brute, SIDES};
 use super::case::Case;
+use super::driver::{driven, takes_slopes};
 use super::pixel::Pixel;
 use crate::exports::ExportKernel;
 use crate::gap::figure::{over_seeds, Figure};
@@ -9,12 +10,16 @@ use crate::imaging::measure::{sizes, worst};
 use crate::random::Random;
 use crate::report::timing::{fastest, TURNS};
 use crate::report::{Bench, Error};
+use prefilter::gpu::Dispatch;
 
 /// Seeds that standard errors are from.
 pub const SEEDS: usize = 4;
 
 /// Pixels whose time is taken, or samples of them.
 const TIMED: usize = 1 << 15;
+
+/// Pixels behind a driver whose time is taken.
+const DRIVEN: usize = 1 << 13;
 
 /// Of samples at least so many pixels are timed.
 const LEAST: usize = 64;
@@ -39,12 +44,19 @@ pub struct Measured {
     pub rows: Vec<Sizes>,
     /// Samples a pixel, and what they do.
     pub brute: Vec<(usize, Sizes)>,
+    /// Milliseconds a megapixel of the naive map and of what a scene without settings chooses, both behind a driver.
+    pub driven: [f64; 2],
 }
 
 impl Measured {
     /// Samples and RMS errors.
     pub fn samples(&self) -> Vec<(usize, f64)> {
         self.brute.iter().map(|(count, sizes)| (*count, sizes.rms.value)).collect()
+    }
+
+    /// The time of what is chosen over that of the naive map, both behind the driver.
+    pub fn driven_ratio(&self) -> f64 {
+        self.driven[1] / self.driven[0]
     }
 
     /// The time of so many samples: linear between the logarithms of those measured.
@@ -68,31 +80,53 @@ pub fn measure(bench: &Bench<'_>, case: &Case) -> Result<Measured, Error> {
     let all: Vec<Pixel> = pixels.concat();
     let truth = truth(bench, case, &pixels, count)?;
     (bench.done)(1);
-    let (mut dispatches, mut per, mut errors) = (Vec::new(), Vec::new(), Vec::new());
-    let mut add = |kernel: &ExportKernel, points: Vec<f32>, timed: Vec<f32>, count: usize| -> Result<(), Error> {
-        errors.push(differences(&kernel.run(&points)?, &truth));
-        dispatches.push(kernel.prepare(&timed)?);
-        per.push(count);
-        Ok(())
-    };
+    let runs = runs(bench, case, &all)?;
+    (bench.done)(1);
+    let dispatches: Vec<Dispatch> = runs.iter().map(|run| run.timed.clone()).collect();
+    let seconds = fastest(&dispatches, TURNS)?;
+    (bench.done)(1);
+    let times = seconds.iter().zip(&runs).map(|(seconds, run)| 1e9 * seconds / run.pixels as f64);
+    let times: Vec<f64> = times.collect();
+    let (rows, samples) = (case.rows.len(), SIDES.len());
+    let sizes = |at: usize| figures(&differences(&runs[at].colors, &truth), count, times[at]);
+    Ok(Measured {
+        rows: (0..rows).map(sizes).collect(),
+        brute: SIDES.iter().enumerate().map(|(at, side)| (side * side, sizes(rows + at))).collect(),
+        driven: [times[rows + samples], times[rows + samples + 1]],
+    })
+}
+
+/// A kernel's colors, and the kernel over pixels to be timed.
+struct Run {
+    colors: Vec<[f32; 4]>,
+    timed: Dispatch,
+    pixels: usize,
+}
+
+/// All rows, all counts of samples, and the naive and the default row behind a driver.
+fn runs(bench: &Bench<'_>, case: &Case, all: &[Pixel]) -> Result<Vec<Run>, Error> {
     let many: Vec<Pixel> = all.iter().copied().cycle().take(TIMED).collect();
+    let run = |kernel: &ExportKernel, points: &[f32], timed: &[f32], pixels: usize| -> Result<Run, Error> {
+        Ok(Run { colors: kernel.run(points)?, timed: kernel.prepare(timed)?, pixels })
+    };
+    let mut runs = Vec::new();
     for row in &case.rows {
         let kernel = row.kernel(bench.timed)?;
-        add(&kernel, row.points(&kernel, &all), row.points(&kernel, &many), TIMED)?;
+        runs.push(run(&kernel, &row.points(&kernel, all), &row.points(&kernel, &many), TIMED)?);
     }
     let kernel = case.brute.kernel(bench.timed)?;
     for side in SIDES {
         let few = (TIMED / (side * side)).max(LEAST);
-        let points = Brute::points(&kernel, &all, side, 1);
-        add(&kernel, points, Brute::points(&kernel, &many[..few], side, 1), few)?;
+        let points = |pixels: &[Pixel]| Brute::points(&kernel, pixels, side, 1);
+        runs.push(run(&kernel, &points(all), &points(&many[..few]), few)?);
     }
-    (bench.done)(1);
-    let seconds = fastest(&dispatches, TURNS)?;
-    (bench.done)(1);
-    let times = seconds.iter().zip(per).map(|(seconds, count)| 1e9 * seconds / count as f64);
-    let mut sizes: Vec<Sizes> = errors.iter().zip(times).map(|(errors, time)| figures(errors, count, time)).collect();
-    let brute = sizes.split_off(case.rows.len());
-    Ok(Measured { rows: sizes, brute: SIDES.iter().map(|side| side * side).zip(brute).collect() })
+    let chosen = case.rows.iter().find(|row| row.default);
+    let slopes = chosen.map_or(Ok(false), |row| row.kernel(bench.timed).map(|kernel| takes_slopes(&kernel)))?;
+    for row in case.rows.first().into_iter().chain(chosen) {
+        let kernel = driven(bench.timed, row, slopes)?;
+        runs.push(run(&kernel, &row.points(&kernel, all), &row.points(&kernel, &many[..DRIVEN]), DRIVEN)?);
+    }
+    Ok(runs)
 }
 
 /// Random pixels, seed by seed.
@@ -107,8 +141,7 @@ pub fn pixels(case: &Case, count: usize) -> Vec<Vec<Pixel>> {
 /// The integral at every pixel.
 fn truth(bench: &Bench<'_>, case: &Case, pixels: &[Vec<Pixel>], count: usize) -> Result<Vec<[f32; 3]>, Error> {
     let drawn = format!("{} {:?} {count}", case.stem, case.drawn);
-    let common =
-        [drawn.as_str(), include_str!("pixel.rs"), include_str!("measure.rs"), include_str!("../../random.rs")];
+    let common = [drawn.as_str(), include_str!("pixel.rs"), include_str!("../../random.rs")];
     let inputs: Vec<&str> = common.into_iter().chain(case.sources.iter().copied()).collect();
     let kept = bench.cache.numbers(&inputs, 3 * SEEDS * count, || {
         let of = |seed: u64| -> Vec<f32> {

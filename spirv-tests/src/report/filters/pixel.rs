@@ -10,6 +10,8 @@ pub struct Pixel {
     pub mean: f64,
     /// Their deviation.
     pub deviation: f64,
+    /// Mean and deviation of the values of another layer.
+    pub value: [f64; 2],
     /// The mean slope.
     pub mean_slope: [f64; 2],
     /// The covariance of the slopes: xx, xy, yy.
@@ -22,6 +24,8 @@ pub struct Pixel {
     pub direction: [f64; 2],
     /// The axes of the tangent frame in the space of the environment.
     pub frame: [[f64; 3]; 3],
+    /// Where a driver finds statistics, and the derivatives of that place to the right and down.
+    pub place: [[f64; 2]; 3],
 }
 
 /// What pixels are drawn from.
@@ -43,7 +47,8 @@ impl Drawn {
     /// A random pixel: correlations of the slopes up to 0.8, views and lights evenly over the directions that the mean
     /// surface is seen from.
     pub fn pixel(&self, random: &mut Random) -> Pixel {
-        let (mean, deviation) = (even(random, self.mean), random.between(self.deviation[0], self.deviation[1]));
+        let mut statistics = || [even(random, self.mean), random.between(self.deviation[0], self.deviation[1])];
+        let ([mean, deviation], value) = (statistics(), statistics());
         let [x, y] = [0, 1].map(|_| random.between(self.slope_deviation[0], self.slope_deviation[1]));
         let both = even(random, [-0.8, 0.8]) * x * y;
         let mean_slope = [0, 1].map(|_| even(random, [-self.slope, self.slope]));
@@ -52,7 +57,12 @@ impl Drawn {
         let (turn_sin, turn_cos) = (TAU * random.unit()).sin_cos();
         let frame = [[turn_cos, turn_sin, 0.0], [-turn_sin, turn_cos, 0.0], [0.0, 0.0, 1.0]];
         let covariance = [x * x, both, y * y];
-        let pixel = Pixel { mean, deviation, mean_slope, covariance, view, light, direction: [cos, sin], frame };
+        let long = random.between(0.01, 1.0);
+        let short = long * random.between(0.2, 1.0);
+        let place =
+            [[0; 2].map(|_| even(random, [-50.0, 50.0])), [long * cos, long * sin], [-short * sin, short * cos]];
+        let pixel =
+            Pixel { mean, deviation, value, mean_slope, covariance, view, light, direction: [cos, sin], frame, place };
         pixel.rounded()
     }
 
@@ -74,10 +84,10 @@ fn even(random: &mut Random, [low, high]: [f64; 2]) -> f64 {
 }
 
 impl Pixel {
-    /// The same pixel seen from straight above, from where all slopes count alike.
+    /// The same pixel seen and lit from straight above, from where all heights and slopes count alike.
     #[must_use]
     pub fn straight(self) -> Self {
-        Self { view: [0.0, 0.0, 1.0], ..self }
+        Self { view: [0.0, 0.0, 1.0], light: [0.0, 0.0, 1.0], ..self }
     }
 
     fn rounded(self) -> Self {
@@ -85,10 +95,21 @@ impl Pixel {
             values.map(|value| f64::from(value as f32))
         }
         let [[mean], [deviation]] = [self.mean, self.deviation].map(|value| round([value]));
-        let Self { mean_slope, covariance, view, light, direction, frame, .. } = self;
-        let [mean_slope, direction] = [mean_slope, direction].map(round);
+        let Self { value, mean_slope, covariance, view, light, direction, frame, place, .. } = self;
+        let [value, mean_slope, direction] = [value, mean_slope, direction].map(round);
         let [covariance, view, light] = [covariance, view, light].map(round);
-        Self { mean, deviation, mean_slope, covariance, view, light, direction, frame: frame.map(round) }
+        Self {
+            mean,
+            deviation,
+            value,
+            mean_slope,
+            covariance,
+            view,
+            light,
+            direction,
+            frame: frame.map(round),
+            place: place.map(round),
+        }
     }
 
     /// The numbers of a function's parameters, known by their names; others are those given, or NaN.
@@ -106,9 +127,14 @@ impl Pixel {
                 "view" => &self.view,
                 "light" => &self.light,
                 "direction" => &self.direction,
+                "position" => &self.place[0],
+                "dpdx" => &self.place[1],
+                "dpdy" => &self.place[2],
                 "x" => &self.frame[0],
                 "y" => &self.frame[1],
                 "z" => &self.frame[2],
+                layer if layer.ends_with("_mean") => &self.value[..1],
+                layer if layer.ends_with("_deviation") => &self.value[1..],
                 _ => {
                     let found = given.iter().find(|(given, _)| given == name);
                     numbers.push(found.map_or(f32::NAN, |(_, value)| *value as f32));

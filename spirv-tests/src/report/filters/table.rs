@@ -2,12 +2,13 @@
 
 use super::case::{Case, Role, Row};
 use super::measure::{Measured, Sizes};
+use super::Filter;
 use crate::imaging::measure::samples_for;
 use crate::report::document::{Axis, Cell, Plot, Series, Table};
 use crate::report::Error;
 
 /// Headings.
-const COLUMNS: [&str; 13] = [
+const COLUMNS: [&str; 14] = [
     "map",
     "method",
     "RMS error",
@@ -16,6 +17,7 @@ const COLUMNS: [&str; 13] = [
     "bound",
     "ms a megapixel",
     "over naive",
+    "over naive with a driver",
     "operations",
     "fetches",
     "table bytes",
@@ -27,7 +29,7 @@ const COLUMNS: [&str; 13] = [
 ///
 /// # Errors
 /// What naga refuses.
-pub fn table(filter: &str, caption: &str, cases: &[(Case, Measured)]) -> Result<Table, Error> {
+pub fn table(filter: &Filter, cases: &[(Case, Measured)]) -> Result<Table, Error> {
     let mut rows = Vec::new();
     for (case, measured) in cases {
         let naive = measured.rows.first().map_or(f64::NAN, |sizes| sizes.time);
@@ -43,7 +45,8 @@ pub fn table(filter: &str, caption: &str, cases: &[(Case, Measured)]) -> Result<
         }
     }
     let columns = COLUMNS.map(str::to_owned).to_vec();
-    Ok(Table { stem: format!("filters_{filter}"), caption: caption.to_owned(), columns, rows })
+    let (stem, name) = (filter.stem, filter.name);
+    Ok(Table { stem: format!("filters_{stem}"), caption: format!("Every tier: {name}."), columns, rows })
 }
 
 fn plural(count: usize) -> String {
@@ -59,11 +62,15 @@ fn figures(sizes: &Sizes) -> [Cell; 3] {
 }
 
 fn line(case: &Case, row: &Row, sizes: &Sizes, measured: &Measured, naive: f64) -> Result<Vec<Cell>, Error> {
-    let label = if row.default { format!("{} (default)", row.label) } else { row.label.clone() };
-    let mut cells = vec![case.map.as_str().into(), label.into()];
+    let mut cells = vec![case.map.as_str().into(), label(row).into()];
     cells.extend(figures(sizes));
     cells.push(row.bound().map_or(Cell::Nothing, Cell::Number));
     cells.extend([sizes.time.into(), (sizes.time / naive).into()]);
+    cells.push(match (row.role, row.default) {
+        (Role::Naive, _) => 1.0.into(),
+        (_, true) => measured.driven_ratio().into(),
+        _ => Cell::Nothing,
+    });
     cells.extend(row.cost()?.map(Cell::from));
     let samples = samples_for(sizes.rms.value, &measured.samples());
     cells.push(Cell::Samples(samples));
@@ -72,6 +79,12 @@ fn line(case: &Case, row: &Row, sizes: &Sizes, measured: &Measured, naive: f64) 
         Err(times) => format!("> {times:.0}").into(),
     });
     Ok(cells)
+}
+
+/// What a row is called, and whether it is what a scene without settings chooses.
+fn label(row: &Row) -> String {
+    let default = if row.default { " (default)" } else { "" };
+    format!("{}{default}", row.label)
 }
 
 /// How many times faster than as many samples as have its error; `Err` where even the most samples have more.
@@ -84,32 +97,22 @@ pub fn faster(sizes: &Sizes, measured: &Measured) -> Result<f64, f64> {
 
 /// Time against error of one case.
 pub fn plot(filter: &str, case: &Case, measured: &Measured) -> Plot {
-    let of = |label: &str, kept: &dyn Fn(&Row) -> bool| Series {
-        label: label.to_owned(),
-        points: case
-            .rows
-            .iter()
-            .zip(&measured.rows)
-            .filter(|(row, _)| kept(row))
-            .map(|(_, sizes)| point(sizes))
-            .collect(),
+    let rows = case.rows.iter().zip(&measured.rows).map(|(row, sizes)| Series {
+        label: label(row),
+        points: vec![point(sizes)],
         joined: false,
+    });
+    let samples = Series {
+        label: "1 to 1024 stratified samples".to_owned(),
+        points: measured.brute.iter().map(|(_, sizes)| point(sizes)).collect(),
+        joined: true,
     };
-    let brute = measured.brute.iter().map(|(_, sizes)| point(sizes)).collect();
-    let series = vec![
-        of("naive", &|row| row.role == Role::Naive),
-        of("the paper's", &|row| row.role == Role::Paper),
-        of("view-independent", &|row| row.role == Role::Independent),
-        of("tiers", &|row| row.role == Role::Tier && !row.default),
-        of("the default", &|row| row.default),
-        Series { label: "1 to 1024 stratified samples".to_owned(), points: brute, joined: true },
-    ];
     Plot {
         stem: format!("filters_{}", case.stem),
         caption: format!("{filter}, {}: time against error; to the lower left is better.", case.map),
         x: Axis { label: "milliseconds a megapixel".to_owned(), logarithmic: true },
         y: Axis { label: "RMS error of the worst channel".to_owned(), logarithmic: true },
-        series: series.into_iter().filter(|series| !series.points.is_empty()).collect(),
+        series: rows.chain([samples]).collect(),
     }
 }
 

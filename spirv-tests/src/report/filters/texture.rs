@@ -2,33 +2,17 @@
 
 use super::brute::Brute;
 use super::case::{Case, Role, Row};
+use super::maps::{naive, named};
 use super::pixel::Drawn;
-use crate::maps;
 use crate::report::Error;
 use prefilter::reference::texture;
-use prefilter::{ColorMap, Kernel, Scene, Tier};
+use prefilter::{Kernel, Scene, Tier};
 
 /// The maps: a gradient of seven stops, and six steps with hard edges.
 const MAPS: [&str; 2] = ["terrain", "steps6"];
 
 /// Tiers of the ladder.
 const TIERS: [Tier; 3] = [Tier::Table, Tier::ClosedForm(Kernel::Fast), Tier::ClosedForm(Kernel::Exact)];
-
-/// The map at a value, as a scene without a filter.
-///
-/// # Errors
-/// None for maps that are maps.
-pub fn naive(name: &str, map: &ColorMap) -> Result<prefilter::Module, prefilter::Error> {
-    Scene::new(name).texture(map.clone()).tier(Tier::Naive).module()
-}
-
-/// A map by its name.
-///
-/// # Errors
-/// Damaged data.
-pub fn named(name: &str) -> Result<ColorMap, Error> {
-    maps::named(name).map_err(|error| Error::Map(error.to_string()))
-}
 
 /// Every map by every tier.
 ///
