@@ -26,6 +26,11 @@ impl Cost {
         self.operations + FETCH * self.fetches
     }
 
+    /// What the cheapest is least of: the weight, then the bytes of tables.
+    pub(crate) fn order(self) -> (usize, usize) {
+        (self.weight(), self.table_bytes)
+    }
+
     fn plus(self, other: Self) -> Self {
         Self { operations: self.operations + other.operations, fetches: self.fetches + other.fetches, ..self }
     }

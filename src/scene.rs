@@ -13,6 +13,7 @@ mod joint;
 mod layer;
 mod leaves;
 mod percentile;
+mod sizes;
 mod slope;
 mod slope_map;
 mod stage;
@@ -28,8 +29,8 @@ use crate::filter::height::{HeightTier, Microsurface};
 use crate::filter::height_transfer::TransferTier;
 use crate::filter::irradiance::IrradianceTier;
 use crate::filter::slope::SlopeTier;
-use crate::filter::slope_map::{SlopeTaps, RANGES};
-use crate::filter::Tier;
+use crate::filter::slope_map::SlopeTaps;
+use crate::filter::{self, Tier};
 use crate::module::Module;
 use crate::transfer::color_map::{ColorMap, Colors};
 use crate::transfer::height_transfer::HeightTransfer;
@@ -201,8 +202,8 @@ impl Scene {
         Self { accuracy: Some(accuracy), ..self }
     }
 
-    /// The values over which bounds hold and tables reach; larger deviations count as the largest. Percentiles and
-    /// irradiance have none. Default: [`Ranges::of`] the map, which for a map over [0, 1] is [`Ranges::default`].
+    /// The values over which bounds hold and tables reach; larger deviations count as the largest. Percentiles have
+    /// none. Default: [`Ranges::of`] the map, which for a map over [0, 1] is [`Ranges::default`].
     #[must_use]
     pub fn ranges(self, ranges: Ranges) -> Self {
         Self { ranges: Some(ranges), ..self }
@@ -235,7 +236,11 @@ impl Scene {
 
     /// The ranges that bounds hold over: those of the distribution, those given, or else those of the map.
     pub fn chosen_ranges(&self) -> Ranges {
-        let own = self.slope_map.as_ref().map_or(Ranges::default(), |_| RANGES);
+        let own = match (&self.slope_map, &self.irradiance) {
+            (Some(_), _) => filter::slope_map::RANGES,
+            (None, Some(_)) => filter::irradiance::RANGES,
+            (None, None) => Ranges::default(),
+        };
         self.distribution.ranges().or(self.ranges).unwrap_or_else(|| self.map().map_or(own, Ranges::of))
     }
 

@@ -106,15 +106,22 @@ impl Distribution {
         }
     }
 
-    /// The filter of one tier.
+    /// The filter of one tier, its table having so many nodes.
     ///
     /// # Errors
     /// A tier that does not go with the colors.
-    pub(crate) fn filter(&self, map: &ColorMap, colors: Colors, tier: Tier, ranges: Ranges) -> Result<Filter, Error> {
+    pub(crate) fn filter(
+        &self,
+        map: &ColorMap,
+        colors: Colors,
+        tier: Tier,
+        nodes: [usize; 2],
+        ranges: Ranges,
+    ) -> Result<Filter, Error> {
         match self {
-            Self::Normal | Self::Pair => texture::filter(map, colors, tier, ranges),
-            Self::Beta { low, high } => Ok(texture::bounded(map, (*low, *high))),
-            Self::Learned(image) => Ok(texture::learned(map, colors, ranges, image)),
+            Self::Normal | Self::Pair => texture::filter(map, colors, tier, nodes, ranges),
+            Self::Beta { low, high } => Ok(texture::bounded(map, (*low, *high), nodes)),
+            Self::Learned(image) => Ok(texture::learned(map, colors, nodes, ranges, image)),
         }
     }
 }

@@ -8,7 +8,7 @@
 
 use super::knots;
 use super::texture::{number, Filter};
-use crate::accuracy::{promise, Bound};
+use crate::accuracy::{promise, Bound, Ranges};
 use crate::table::Table;
 use crate::transfer::color_map::Colors;
 use crate::transfer::irradiance::Irradiance;
@@ -97,13 +97,23 @@ fn rounding(light: &Irradiance) -> f64 {
     10.0 * ROUNDING * [0, 1, 2].map(sum).into_iter().fold(0.0, f64::max)
 }
 
-/// How many times the error of a mean that of irradiance may be: the sum over the terms of a channel, but for the
-/// constant. A frame makes of errors of three components up to √3 of one, of those of nine products up to 3.
+/// How many times the error of a mean that of irradiance may be, over all frames.
+///
+/// Of the components of n irradiance has a product with a vector, which a frame only turns: the sum of its components
+/// is at most √3 times its length. Of n nᵀ it has the product with a symmetric matrix M, of which the trace does not
+/// count, as that of an error of n nᵀ is 0: M without it, turned, has the norm F = |M|. The error of zz being minus
+/// those of xx and yy, the product with an error is at most its largest part times |N.xx − N.zz| + |N.yy − N.zz| +
+/// 2 |N.xy| + 2 |N.xz| + 2 |N.yz|; the first two are at most √6 times the norm of the diagonal, the others √6 times
+/// that of the rest, together √12 F.
 fn most(light: &Irradiance) -> f64 {
-    let sum =
-        |colors: &[[f32; 3]], channel: usize| colors.iter().map(|color| f64::from(color[channel].abs())).sum::<f64>();
-    let (first, squares) = light.polynomial()[1..].split_at(3);
-    let of = |channel: usize| 3f64.sqrt() * sum(first, channel) + 3.0 * sum(squares, channel);
+    let of = |channel: usize| {
+        let [_, x, y, z, xx, xy, yy, xz, yz] = light.polynomial().map(|color| f64::from(color[channel]));
+        let trace = (xx + yy) / 3.0;
+        let squares = [xx - trace, yy - trace, -trace].map(|part| part * part).iter().sum::<f64>();
+        let length = (x * x + y * y + z * z).sqrt();
+        let norm = (squares + 0.5 * (xy * xy + xz * xz + yz * yz)).sqrt();
+        3f64.sqrt() * length + 12f64.sqrt() * norm
+    };
     [0, 1, 2].map(of).into_iter().fold(0.0, f64::max)
 }
 
@@ -137,6 +147,12 @@ fn {name}_lambert(mean_slope: vec2f, slope_covariance: vec3f, view: vec3f, light
 "
     )
 }
+
+/// The largest slope deviation that [`IrradianceTier::Points`] keeps its promise for.
+pub(crate) const NARROW: f32 = 0.3;
+
+/// What bounds hold for where no ranges are given: components of the mean slope, slope deviations.
+pub(crate) const RANGES: Ranges = Ranges { mean: (-0.3, 0.3), deviation: 1.0 };
 
 /// What the bound of a tier holds for.
 pub(crate) fn covered(tier: IrradianceTier) -> String {

@@ -51,9 +51,14 @@ impl std::fmt::Display for SlopeTaps {
     }
 }
 
-/// Nodes along each component of the mean slope, and along the deviation: the latter stand in
-/// `wgsl/filter/slope_map.wgsl` too.
-const NODES: [usize; 2] = [128, 20];
+/// Nodes along each component of the mean slope.
+pub(crate) const NODES: usize = 128;
+
+/// Those from which an accuracy chooses.
+pub(crate) const SIZES: [usize; 3] = [32, 64, NODES];
+
+/// Nodes along the deviation: they stand in `wgsl/filter/slope_map.wgsl` too.
+const SLICES: usize = 20;
 
 /// Where no ranges are given: mean slopes to 1 either way, deviations to 0.5.
 pub(crate) const RANGES: Ranges = Ranges { mean: (-1.0, 1.0), deviation: 0.5 };
@@ -92,11 +97,11 @@ pub(crate) struct Atlas {
 }
 
 impl Atlas {
-    /// The table of a map.
-    pub(crate) fn new(map: &SlopeMap, ranges: Ranges) -> Self {
+    /// The table of a map, with so many nodes along each component.
+    pub(crate) fn new(map: &SlopeMap, nodes: usize, ranges: Ranges) -> Self {
         let [mean, deviation] = [ranges.largest_mean(), ranges.deviation].map(f64::from);
         let farthest = mean + REACH * deviation;
-        let inside = 1.0 - 1.0 / NODES[0] as f64;
+        let inside = 1.0 - 1.0 / nodes as f64;
         // Over all slopes nodes are those of a map of as many cells. Where the map ends, what is blurred out of it
         // needs fewer nodes than the map.
         let (high, unit) = match map.domain() {
@@ -104,13 +109,13 @@ impl Atlas {
                 let high = f64::from((f64::from(reach) + BLUR * deviation).min(farthest) as f32);
                 (high, high)
             }
-            SlopeDomain::All => (NODES[0] as f64 - 1.0, 1.0),
+            SlopeDomain::All => (nodes as f64 - 1.0, 1.0),
         };
-        let slopes = Axis { low: -high, high, count: NODES[0], spacing: Spacing::Companded { unit } };
+        let slopes = Axis { low: -high, high, count: nodes, spacing: Spacing::Companded { unit } };
         let per_slope = 0.5 * inside * (unit + high) / (unit * high);
-        let deviations = Axis { low: 0.0, high: deviation, count: NODES[1], spacing: Spacing::Logarithm };
+        let deviations = Axis { low: 0.0, high: deviation, count: SLICES, spacing: Spacing::Logarithm };
         let baked = Plan { map: &map.reference(), slopes, deviations, farthest, smooth: floor(ranges) }.table("table");
-        let per_octave = (1.0 - 1.0 / NODES[1] as f64) / (1.0 + BEND).log2();
+        let per_octave = (1.0 - 1.0 / SLICES as f64) / (1.0 + BEND).log2();
         let layout = [per_slope, 1.0 / unit, BEND / deviation, per_octave].map(|value| number(value as f32)).join(", ");
         Self { baked, layout, ranges }
     }

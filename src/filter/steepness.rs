@@ -14,7 +14,10 @@ use crate::table::rice::Plan;
 use crate::transfer::color_map::{ColorMap, Colors};
 
 /// Nodes along ν and along σ.
-const NODES: [usize; 2] = [256, 32];
+pub(crate) const NODES: [usize; 2] = [256, 32];
+
+/// Sizes from which an accuracy chooses.
+pub(crate) const SIZES: [[usize; 2]; 3] = [[64, 16], [128, 16], NODES];
 
 /// The largest error of a step for views above the horizon of the mean surface, whose slopes' covariance has axes of
 /// ratios up to 2; `steps_of_steepness_keep_their_figures` in `spirv-tests/tests/slope/steepness.rs` measures them on
@@ -75,18 +78,24 @@ pub(crate) struct Steepness {
 const ALIKE: &str = "    let view = vec3f(0.0, 0.0, 1.0);\n";
 
 /// The filter of a map of |s|.
-pub(crate) fn filter(map: &ColorMap, colors: Colors, tier: SlopeTier, ranges: Ranges) -> Steepness {
+pub(crate) fn filter(
+    map: &ColorMap,
+    colors: Colors,
+    tier: SlopeTier,
+    [columns, rows]: [usize; 2],
+    ranges: Ranges,
+) -> Steepness {
     let (reach, narrowest) = match tier {
         SlopeTier::Pair => (REACH_OF_TEN, NARROWEST_OF_TEN),
         SlopeTier::Naive | SlopeTier::Unweighted | SlopeTier::Gaussian => (REACH, 1.0),
     };
     let highest = f64::from(highest(ranges, reach));
     let centers = match colors {
-        Colors::Constant => Axis::fitted(0.0, highest, NODES[0], &bends(map)).in_f32(),
-        Colors::Dynamic => Axis::round(0.0, highest, NODES[0]).in_f32(),
+        Colors::Constant => Axis::fitted(0.0, highest, columns, &bends(map)).in_f32(),
+        Colors::Dynamic => Axis::round(0.0, highest, columns).in_f32(),
     };
     let widest = WIDTH * ranges.deviation;
-    let deviations = Axis { low: 0.0, high: widest.into(), count: NODES[1], spacing: Spacing::CubeRoot };
+    let deviations = Axis { low: 0.0, high: widest.into(), count: rows, spacing: Spacing::CubeRoot };
     let (reference, floor) = (map.reference(), narrowest * f64::from(floor(ranges)));
     let table = Plan { map: &reference, centers, deviations, highest, floor }.table("table");
     let axes = [centers.low as f32, centers.high as f32, widest].map(number).join(", ");

@@ -23,6 +23,12 @@ const NARROW: f64 = 0.01;
 /// their kinks would err by 6e-7 times the slope, and 6e-5 is what a kink may.
 const STEEP: f64 = 100.0;
 
+/// Nodes along the mean and along the deviation of the table of [`Tier::Table`].
+pub(crate) const NODES: [usize; 2] = [512, 16];
+
+/// Sizes from which an accuracy chooses: each has up to twice the nodes of the one before it along either axis.
+pub(crate) const SIZES: [[usize; 2]; 5] = [[64, 8], [128, 8], [256, 16], NODES, [1024, 32]];
+
 /// Beyond this many deviations from the outermost knots a mean is constant to f32.
 pub(super) const REACH: f32 = 8.0;
 
@@ -51,14 +57,20 @@ impl Filter {
     }
 }
 
-/// The filter of one tier.
+/// The filter of one tier, its table having so many nodes.
 ///
 /// # Errors
 /// A tier that does not go with the colors.
-pub(crate) fn filter(map: &ColorMap, colors: Colors, tier: Tier, ranges: Ranges) -> Result<Filter, Error> {
+pub(crate) fn filter(
+    map: &ColorMap,
+    colors: Colors,
+    tier: Tier,
+    nodes: [usize; 2],
+    ranges: Ranges,
+) -> Result<Filter, Error> {
     match (tier, colors) {
         (Tier::Paper, _) => Ok(paper(map, ranges)),
-        (Tier::Table, _) => Ok(table(map, colors, ranges)),
+        (Tier::Table, _) => Ok(by_deviation(map, colors, nodes, ranges, |plan| plan.of_values("table"))),
         (Tier::Naive, Colors::Constant) => Ok(naive(map, ranges)),
         (Tier::ClosedForm(kernel), Colors::Constant) => Ok(closed_form(map, kernel, ranges)),
         (Tier::ClosedForm(Kernel::Exact), Colors::Dynamic) => Ok(dynamic(map, ranges)),
@@ -216,32 +228,34 @@ fn dynamic(map: &ColorMap, ranges: Ranges) -> Filter {
     Filter { body, tables: vec![table], bound, trips: map.knots().len() }
 }
 
-fn table(map: &ColorMap, colors: Colors, ranges: Ranges) -> Filter {
-    by_deviation(map, colors, ranges, |plan| plan.of_values("table"))
-}
-
 /// The table over values as those of an image.
-pub(super) fn learned(map: &ColorMap, colors: Colors, ranges: Ranges, image: &Learned) -> Filter {
-    by_deviation(map, colors, ranges, |plan| plan.of_learned_values("table", image))
+pub(super) fn learned(map: &ColorMap, colors: Colors, nodes: [usize; 2], ranges: Ranges, image: &Learned) -> Filter {
+    by_deviation(map, colors, nodes, ranges, |plan| plan.of_learned_values("table", image))
 }
 
 /// The means' axis of constant colors fits the map; that of dynamic ones is the same for all maps.
-fn by_deviation(map: &ColorMap, colors: Colors, ranges: Ranges, bake: impl FnOnce(Plan<'_>) -> Table) -> Filter {
+fn by_deviation(
+    map: &ColorMap,
+    colors: Colors,
+    [columns, rows]: [usize; 2],
+    ranges: Ranges,
+    bake: impl FnOnce(Plan<'_>) -> Table,
+) -> Filter {
     let (low, high) = (f64::from(ranges.mean.0), f64::from(ranges.mean.1));
     let means = match colors {
-        Colors::Constant => Axis::fitted(low, high, 512, &bends(map)).in_f32(),
-        Colors::Dynamic => Axis::round(low, high, 512).in_f32(),
+        Colors::Constant => Axis::fitted(low, high, columns, &bends(map)).in_f32(),
+        Colors::Dynamic => Axis::round(low, high, columns).in_f32(),
     };
-    let deviations = Axis { low: 0.0, high: ranges.deviation.into(), count: 16, spacing: Spacing::CubeRoot };
+    let deviations = Axis { low: 0.0, high: ranges.deviation.into(), count: rows, spacing: Spacing::CubeRoot };
     let baked = bake(Plan { map: &map.reference(), means, deviations, judged: ranges.mean });
     let (low, high, reach) = (number(means.low as f32), number(means.high as f32), number(ranges.deviation));
     tabulated(map, &format!("texture_table(mean, deviation, {low}, {high}, {reach}"), baked)
 }
 
 /// The table over Beta distributions between two ends, of deviations in parts of the largest.
-pub(super) fn bounded(map: &ColorMap, ends: (f32, f32)) -> Filter {
-    let means = Axis { low: ends.0.into(), high: ends.1.into(), count: 512, spacing: Spacing::Linear };
-    let deviations = Axis { low: 0.0, high: 1.0, count: 16, spacing: Spacing::SquareRoot };
+pub(super) fn bounded(map: &ColorMap, ends: (f32, f32), [columns, rows]: [usize; 2]) -> Filter {
+    let means = Axis { low: ends.0.into(), high: ends.1.into(), count: columns, spacing: Spacing::Linear };
+    let deviations = Axis { low: 0.0, high: 1.0, count: rows, spacing: Spacing::SquareRoot };
     let baked = Plan { map: &map.reference(), means, deviations, judged: ends }.of_bounded_values("table");
     let (low, high) = (number(ends.0), number(ends.1));
     tabulated(map, &format!("texture_bounded_table(mean, deviation, {low}, {high}"), baked)

@@ -21,8 +21,8 @@ use crate::table::{Sampling, Table};
 use crate::transfer::color_map::{ColorMap, Colors};
 use crate::Error;
 
-/// Tiers from which an accuracy chooses; a tie in weight goes to the earlier.
-const LADDER: [Tier; 3] = [Tier::ClosedForm(Kernel::Fast), Tier::ClosedForm(Kernel::Exact), Tier::Table];
+/// Tiers from which an accuracy chooses; a tie in weight goes to the fewer bytes of tables, then to the earlier.
+const LADDER: [Tier; 4] = [Tier::Naive, Tier::ClosedForm(Kernel::Fast), Tier::ClosedForm(Kernel::Exact), Tier::Table];
 
 /// The shelf's loops over the knots of a map.
 const LOOPS: [&str; 3] = ["texture_knots", "height_knots", "percentile_knots"];
@@ -120,7 +120,7 @@ impl Scene {
         let choosy = self.texture.is_some() && !self.distribution.tabulated();
         let budget = if !choosy && self.accuracy.is_none() { asked.max(near) } else { asked };
         let kept = candidates.iter().enumerate().filter(|(_, candidate)| candidate.judged <= budget);
-        if let Some((lightest, _)) = kept.min_by_key(|(_, candidate)| candidate.cost.weight()) {
+        if let Some((lightest, _)) = kept.min_by_key(|(_, candidate)| candidate.cost.order()) {
             let chosen = candidates.remove(lightest);
             return Ok((chosen, candidates));
         }
@@ -144,6 +144,8 @@ impl Scene {
     pub(super) fn tiers(&self) -> Vec<Tier> {
         let tables = self.accuracy.unwrap_or_default().tables;
         let fits = |tier: &Tier| match tier {
+            // Whoever asks for no accuracy asks for filtering.
+            Tier::Naive => self.colors == Colors::Constant && self.accuracy.is_some(),
             Tier::ClosedForm(Kernel::Fast) => self.colors == Colors::Constant,
             Tier::Table => tables,
             _ => true,

@@ -68,7 +68,7 @@ impl Scene {
     /// The ranges, where the scene has some.
     fn reaches(&self) -> Option<String> {
         let Ranges { mean: (low, high), deviation } = self.chosen_ranges();
-        let ranged = self.percentile.is_none() && self.irradiance.is_none();
+        let ranged = self.percentile.is_none() && (self.irradiance.is_none() || self.ranges.is_some());
         ranged.then(|| format!("means {low} to {high}, deviations to {deviation}"))
     }
 

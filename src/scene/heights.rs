@@ -1,13 +1,15 @@
 //! The tiers of heights that a scene tries.
 
 use super::candidate::{arguments, parameters, Candidate, Over, Text};
+use super::sizes::of_texels;
 use super::Scene;
 use crate::filter::height::glue::{given, Glue};
-use crate::filter::height::skewed::skewed;
+use crate::filter::height::skewed::{skewed, COLUMNS, SIZES};
 use crate::filter::height::tails::tails;
 use crate::filter::height::tier::texture_ranges;
 use crate::filter::height::{self, HeightTier};
-use crate::filter::texture::{color_type, filter};
+use crate::filter::texture::{color_type, filter, NODES};
+use crate::filter::Tier;
 use crate::transfer::color_map::{ColorMap, Colors};
 use crate::Error;
 
@@ -16,20 +18,27 @@ const HEIGHTS: [HeightTier; 1] = [HeightTier::Gaussian];
 
 impl Scene {
     pub(super) fn heights(&self, map: &ColorMap) -> Result<Vec<Candidate>, Error> {
-        let alone = self.standing_alone(map).into_iter().map(|tier| self.alone(map, tier));
-        let mut candidates = alone.collect::<Result<Vec<_>, _>>()?;
+        let mut candidates = Vec::new();
+        for tier in self.standing_alone(map) {
+            let sizes = if tier == HeightTier::Skewed && self.height_tier.is_none() {
+                self.sizes(&SIZES, COLUMNS)
+            } else {
+                vec![COLUMNS]
+            };
+            candidates.extend(self.by_sizes(&sizes, |columns| Ok(vec![self.alone(map, tier, columns)?]))?);
+        }
         if self.height_tier.is_some_and(HeightTier::stands_alone) {
             return Ok(candidates);
         }
         let named = self.height_tier.map_or(HEIGHTS.to_vec(), |tier| vec![tier]);
         let (name, surface, ranges) = (&self.name, self.microsurface, self.chosen_ranges());
         let below = texture_ranges(ranges);
-        for texture_tier in self.tiers() {
-            let texture = filter(map, self.colors, texture_tier, below)?;
+        let attempt = |texture_tier: Tier, nodes: [usize; 2]| {
+            let texture = filter(map, self.colors, texture_tier, nodes, below)?;
             let own = self.texture_glue(map, texture_tier, below, &texture);
-            for &tier in &named {
+            let candidate = |&tier: &HeightTier| {
                 let filter = height::over(&texture, map, tier, surface, ranges, name, &arguments(&texture.tables));
-                let label = format!("{tier} over {texture_tier}");
+                let label = format!("{tier} over {texture_tier}{}", of_texels(nodes, NODES));
                 let extra = parameters(&filter.tables);
                 let glue = Glue { name, map, tier, label: &label, surface, percentile: false, parameters: &extra }
                     .text(&filter);
@@ -37,9 +46,11 @@ impl Scene {
                 let glue = glue + &driven + "\n" + &own;
                 let text = Text { glue, beneath: own.clone(), ..Text::default() };
                 let judged = if self.height_tier.is_some() { texture.bound } else { filter.bound };
-                candidates.push(self.candidate(label, Over::Heights(tier), judged.value(), filter, text)?);
-            }
-        }
+                self.candidate(label, Over::Heights(tier), judged.value(), filter, text)
+            };
+            named.iter().map(candidate).collect()
+        };
+        candidates.extend(self.by_tiers(self.tiers(), attempt)?);
         Ok(candidates)
     }
 
@@ -57,14 +68,15 @@ impl Scene {
         }
     }
 
-    /// The candidate of a tier of heights that needs no C0.
-    fn alone(&self, map: &ColorMap, tier: HeightTier) -> Result<Candidate, Error> {
+    /// The candidate of a tier of heights that needs no C0, its table having so many columns.
+    fn alone(&self, map: &ColorMap, tier: HeightTier, columns: usize) -> Result<Candidate, Error> {
         if let Some(named) = self.tier {
             return Err(Error::Conflict(format!("{named} does not go with {tier}: leave out the tier of values")));
         }
         let (name, surface, label) = (&self.name, self.microsurface, tier.to_string());
+        let label = label + &of_texels([columns], [COLUMNS]);
         let filter = match tier {
-            HeightTier::Skewed => skewed(map, self.colors, surface, self.chosen_ranges()),
+            HeightTier::Skewed => skewed(map, self.colors, surface, columns, self.chosen_ranges()),
             HeightTier::ClosedForm => tails(map, self.colors, surface, self.chosen_ranges())?,
             _ => height::bands(map, self.colors, surface, self.chosen_ranges())?,
         };

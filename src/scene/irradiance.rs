@@ -2,12 +2,14 @@
 
 use super::candidate::{parameters, Candidate, Over, Text};
 use super::Scene;
-use crate::filter::irradiance::{glue, irradiance, IrradianceTier, GIVEN};
+use crate::accuracy::Ranges;
+use crate::filter::irradiance::{glue, irradiance, IrradianceTier, GIVEN, NARROW, RANGES};
 use crate::transfer::irradiance::Irradiance;
 use crate::Error;
 
-/// Tiers from which an accuracy chooses: those that hold for any slopes.
-const NORMALS: [IrradianceTier; 2] = [IrradianceTier::ThreeGaussians, IrradianceTier::FourGaussians];
+/// Tiers from which an accuracy chooses; the first holds for narrow slopes only.
+const NORMALS: [IrradianceTier; 3] =
+    [IrradianceTier::Points, IrradianceTier::ThreeGaussians, IrradianceTier::FourGaussians];
 
 impl Scene {
     /// Light from all around on the slopes of a rough surface that a view sees, and Lambert's cosine of one light.
@@ -19,6 +21,8 @@ impl Scene {
     ///
     /// Bounds are for views from 5 degrees above the mean plane, mean slopes up to 0.36 and slope deviations up to 1
     /// (of [`IrradianceTier::Points`] 0.3) with correlations up to 0.9; that of Lambert's cosine is 0.03 besides.
+    /// [`Self::ranges`], of components of the mean slope and of slope deviations, are within these: where deviations
+    /// are up to 0.3, an accuracy may choose the points, which cost a third.
     ///
     /// ```
     /// use prefilter::{Irradiance, Scene};
@@ -41,6 +45,17 @@ impl Scene {
                 + &self.driven("irradiance", "vec3f", GIVEN, &filter.tables);
             self.candidate(label, Over::Normals(tier), filter.bound.value(), filter, Text { glue, ..Text::default() })
         };
-        self.irradiance_tier.map_or(NORMALS.to_vec(), |tier| vec![tier]).into_iter().map(candidate).collect()
+        let Ranges { mean: (low, high), deviation } = self.chosen_ranges();
+        if low < RANGES.mean.0 || high > RANGES.mean.1 || deviation > RANGES.deviation {
+            let what = format!(
+                "the scene `{}` filters `irradiance`, whose bounds hold for components of mean slopes from -0.3 to \
+                 0.3 and deviations to 1: its `ranges` are wider",
+                self.name
+            );
+            return Err(Error::Conflict(what));
+        }
+        let fits = |tier: &IrradianceTier| *tier != IrradianceTier::Points || deviation <= NARROW;
+        let tiers = || NORMALS.into_iter().filter(fits).collect();
+        self.irradiance_tier.map_or_else(tiers, |tier| vec![tier]).into_iter().map(candidate).collect()
     }
 }

@@ -1,10 +1,11 @@
 //! The tiers of slopes that a scene tries, and what their bounds hold for.
 
 use super::candidate::{arguments, parameters, Candidate, Over, Text};
+use super::sizes::of_texels;
 use super::Scene;
 use crate::filter::height::variation;
 use crate::filter::slope::{floor, given, glue, over, steepest, step_error, texture_ranges, SlopeTier};
-use crate::filter::texture::{color_type, filter};
+use crate::filter::texture::{color_type, filter, NODES};
 use crate::filter::{Kernel, Tier};
 use crate::transfer::color_map::{ColorMap, Colors};
 use crate::Error;
@@ -43,25 +44,26 @@ impl Scene {
     pub(super) fn slopes(&self, map: &ColorMap) -> Result<Vec<Candidate>, Error> {
         let (name, ranges) = (&self.name, self.chosen_ranges());
         let tiers = self.slope_tier.map_or(SLOPES.to_vec(), |tier| vec![tier]);
-        let mut candidates = Vec::new();
-        for texture_tier in self.tiers_below_slopes() {
-            for &tier in &tiers {
-                let below = texture_ranges(tier, ranges);
-                let texture = filter(map, self.colors, texture_tier, below)?;
+        let attempt = |texture_tier: Tier, nodes: [usize; 2]| {
+            // One and two normal distributions ask C0 for the same.
+            let below = texture_ranges(tiers[0], ranges);
+            let texture = filter(map, self.colors, texture_tier, nodes, below)?;
+            let candidate = |&tier: &SlopeTier| {
                 let own = self.texture_glue(map, texture_tier, below, &texture);
                 let on = |tier| over(&texture, map, tier, ranges, name, &arguments(&texture.tables));
                 let (filter, alike) = (on(tier), on(SlopeTier::Unweighted).body);
-                let label = format!("{tier} over {texture_tier}");
+                let label = format!("{tier} over {texture_tier}{}", of_texels(nodes, NODES));
                 let glue = glue(name, map, tier, &label, &parameters(&filter.tables), &filter.body)
                     + &self.driven("slope", color_type(map.channels()), given(tier), &filter.tables)
                     + "\n"
                     + &own;
                 let text = Text { glue, beneath: own.clone(), alike };
                 let judged = if self.slope_tier.is_some() { texture.bound } else { filter.bound };
-                candidates.push(self.candidate(label, Over::Slopes(tier), judged.value(), filter, text)?);
-            }
-        }
-        Ok(candidates)
+                self.candidate(label, Over::Slopes(tier), judged.value(), filter, text)
+            };
+            tiers.iter().map(candidate).collect()
+        };
+        self.by_tiers(self.tiers_below_slopes(), attempt)
     }
 
     /// The tiers of C0 that the scene names or allows; a single one for a map at a single slope.

@@ -1,9 +1,10 @@
 //! The tiers of maps of the whole slope that a scene tries, and what their bounds hold for.
 
 use super::candidate::{parameters, Candidate, Over, Text};
+use super::sizes::of_texels;
 use super::Scene;
 use crate::filter::slope::SlopeTier;
-use crate::filter::slope_map::{edge_error, floor, given, glue, over, Atlas, SlopeTaps};
+use crate::filter::slope_map::{edge_error, floor, given, glue, over, Atlas, SlopeTaps, NODES, SIZES};
 use crate::filter::texture::color_type;
 use crate::transfer::color_map::ColorMap;
 use crate::transfer::slope_map::SlopeMap;
@@ -27,9 +28,10 @@ impl Scene {
     /// sees, such as snow on one side, or a color for each aspect.
     ///
     /// Exports `NAME_slope_map(mean_slope, slope_covariance, view, table, table_sampler)`: reads from a volume of
-    /// 128 × 128 × 20 texels, 2.5 MiB. [`SlopeTier`] says what stands for the visible slopes and [`Self::slope_taps`]
-    /// how many reads for each normal distribution of those. The colors are, whichever
-    /// [`Colors`](crate::Colors), in the table, which takes some tenths of a second to bake.
+    /// 128 × 128 × 20 texels, 2.5 MiB, or of 64 × 64 × 20 or 32 × 32 × 20 where an accuracy asks for no more.
+    /// [`SlopeTier`] says what stands for the visible slopes and [`Self::slope_taps`] how many reads for each normal
+    /// distribution of those. The colors are, whichever [`Colors`](crate::Colors), in the table, which takes some
+    /// tenths of a second to bake.
     ///
     /// The ranges are those of each component of the mean slope and of the deviation along the widest axis of the
     /// covariance; by default means to 1 either way and deviations to 0.5. Bounds are estimates, for views above the
@@ -73,7 +75,6 @@ impl Scene {
             let what = format!("the scene `{}` filters a `slope_map`, which needs a table", self.name);
             return Err(Error::Conflict(what));
         }
-        let atlas = Atlas::new(map, self.chosen_ranges());
         let choices = match (self.slope_tier, self.slope_taps) {
             (Some(SlopeTier::Naive), Some(taps)) => {
                 return Err(Error::Conflict(format!("{} goes without {taps}", SlopeTier::Naive)))
@@ -84,16 +85,22 @@ impl Scene {
             (None, Some(taps)) => TIERS.map(|tier| (tier, taps)).to_vec(),
             (Some(tier), Some(taps)) => vec![(tier, taps)],
         };
-        let candidate = |(tier, taps): (SlopeTier, SlopeTaps)| {
-            let filter = over(&atlas, map, tier, taps);
-            let alike = over(&atlas, map, SlopeTier::Unweighted, taps).body;
-            let label = format!("{tier} by {taps}");
-            let glue = glue(&self.name, map, &atlas, tier, &label, &parameters(&filter.tables), &filter.body)
-                + &self.driven("slope_map", color_type(map.channels()), given(tier), &filter.tables);
-            let text = Text { glue, beneath: String::new(), alike };
-            self.candidate(label, Over::SlopeMap(tier, taps), filter.bound.value(), filter, text)
+        let attempt = |nodes: usize| {
+            let atlas = Atlas::new(map, nodes, self.chosen_ranges());
+            let candidate = |&(tier, taps): &(SlopeTier, SlopeTaps)| {
+                let filter = over(&atlas, map, tier, taps);
+                let alike = over(&atlas, map, SlopeTier::Unweighted, taps).body;
+                let label = format!("{tier} by {taps}{}", of_texels([nodes; 2], [NODES; 2]));
+                let glue = glue(&self.name, map, &atlas, tier, &label, &parameters(&filter.tables), &filter.body)
+                    + &self.driven("slope_map", color_type(map.channels()), given(tier), &filter.tables);
+                let text = Text { glue, beneath: String::new(), alike };
+                self.candidate(label, Over::SlopeMap(tier, taps), filter.bound.value(), filter, text)
+            };
+            choices.iter().map(candidate).collect()
         };
-        choices.into_iter().map(candidate).collect()
+        let named = self.slope_tier.is_some() && self.slope_taps.is_some();
+        let sizes = if named { vec![NODES] } else { self.sizes(&SIZES, NODES) };
+        self.by_sizes(&sizes, attempt)
     }
 
     /// What the bound of a scene of a slope map is made of, and what it holds for.

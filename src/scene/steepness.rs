@@ -1,10 +1,11 @@
 //! The tiers of steepness that a scene tries.
 
 use super::candidate::{parameters, Candidate, Over, Text};
+use super::sizes::of_texels;
 use super::Scene;
 use crate::filter::height::variation;
 use crate::filter::slope::SlopeTier;
-use crate::filter::steepness::{filter, floor, glue, label, step, Steepness, GIVEN};
+use crate::filter::steepness::{filter, floor, glue, label, step, Steepness, GIVEN, NODES, SIZES};
 use crate::filter::texture::color_type;
 use crate::transfer::color_map::ColorMap;
 use crate::Error;
@@ -45,16 +46,22 @@ impl Scene {
             (None, Some(_)) => vec![SlopeTier::Gaussian, SlopeTier::Pair],
             (None, None) => vec![SlopeTier::Gaussian],
         };
-        let candidate = |tier| {
-            let Steepness { filter, alike } = filter(map, self.colors, tier, self.chosen_ranges());
+        let candidate = |tier, nodes| {
+            let Steepness { filter, alike } = filter(map, self.colors, tier, nodes, self.chosen_ranges());
             let glue = glue(&self.name, map, tier, &parameters(&filter.tables), &filter.body)
                 + &self.driven("steepness", color_type(map.channels()), GIVEN, &filter.tables);
             let text = Text { glue, beneath: String::new(), alike };
             let table: f32 = filter.tables.iter().map(|table| 2.0 * table.error).sum();
             let judged = if self.slope_tier.is_some() { table } else { filter.bound.value() };
-            self.candidate(label(tier).to_owned(), Over::Steepness(tier), judged, filter, text)
+            let label = label(tier).to_owned() + &of_texels(nodes, NODES);
+            self.candidate(label, Over::Steepness(tier), judged, filter, text)
         };
-        tiers.into_iter().map(candidate).collect()
+        let mut candidates = Vec::new();
+        for tier in tiers {
+            let attempt = |nodes| Ok(vec![candidate(tier, nodes)?]);
+            candidates.extend(self.by_sizes(&self.sizes(&SIZES, NODES), attempt)?);
+        }
+        Ok(candidates)
     }
 
     /// What the bound of a scene of steepness is made of, and what it holds for.

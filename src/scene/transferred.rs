@@ -3,7 +3,7 @@
 use super::candidate::{cost, once_each, parameters, Turns};
 use super::stage::{Moments, Stage};
 use super::Scene;
-use crate::accuracy::{Bound, Ranges};
+use crate::accuracy::{Accuracy, Bound, Ranges};
 use crate::driver::transfer;
 use crate::filter::height::transferred::{self, Transferred};
 use crate::filter::height_transfer::{Nodes, TransferTier};
@@ -83,28 +83,33 @@ impl Scene {
         }
     }
 
-    /// The module of a scene of transferred heights: of the first tier within the accuracy.
+    /// The module of a scene of transferred heights: of the lightest tier within the accuracy.
     ///
     /// # Errors
     /// Values, which are not heights; drivers that do not know slopes; what the scene of heights is refused for; no
     /// tier that keeps the accuracy.
     pub(super) fn transferred(&self, curve: &HeightTransfer) -> Result<Module, Error> {
-        let mut closest: Option<Module> = None;
+        let (mut lightest, mut nearest): (Option<Module>, _) = (None, (String::new(), f32::INFINITY));
         let asked = self.accuracy.map_or(f32::INFINITY, |accuracy| accuracy.max_filter_error);
         for tier in self.transfer_tiers()? {
-            let module = self.transferred_by(curve, tier)?;
-            if module.bound.value() <= asked {
-                return Ok(module);
-            }
-            if closest.as_ref().is_none_or(|closest| module.bound.value() < closest.bound.value()) {
-                closest = Some(module);
+            let (label, bound) = match self.transferred_by(curve, tier) {
+                Ok(module) if module.bound.value() <= asked => {
+                    if lightest.as_ref().is_none_or(|lightest| module.cost.order() < lightest.cost.order()) {
+                        lightest = Some(module);
+                    }
+                    continue;
+                }
+                Ok(module) => (tier.to_string(), module.bound.value()),
+                // What is left of the accuracy is too little for the filter of h.
+                Err(Error::Accuracy { closest, bound, .. }) => (format!("{tier} with {closest}"), bound),
+                Err(other) => return Err(other),
+            };
+            if bound < nearest.1 {
+                nearest = (label, bound);
             }
         }
-        let (label, bound) = closest.map_or((String::new(), f32::INFINITY), |closest| {
-            let label = closest.explanation.lines().next().unwrap_or_default().to_owned();
-            (label, closest.bound.value())
-        });
-        Err(Error::Accuracy { scene: self.name.clone(), asked, closest: label, bound })
+        let (closest, bound) = nearest;
+        lightest.ok_or(Error::Accuracy { scene: self.name.clone(), asked, closest, bound })
     }
 
     /// The tiers that the scene names or allows.
@@ -229,13 +234,35 @@ impl Scene {
         })
     }
 
+    /// The scene with what something that errs by `part` leaves of its accuracy.
+    ///
+    /// # Errors
+    /// Nothing is left.
+    fn within(self, part: f32) -> Result<Self, Error> {
+        let Some(accuracy) = self.accuracy else { return Ok(self) };
+        let left = accuracy.max_filter_error - part;
+        if left > 0.0 {
+            let accuracy = Some(Accuracy { max_filter_error: left, ..accuracy });
+            return Ok(Self { accuracy, ..self });
+        }
+        let closest = "the nodes' table alone".to_owned();
+        Err(Error::Accuracy { scene: self.name, asked: accuracy.max_filter_error, closest, bound: part })
+    }
+
     /// Around each export of the scene of heights one that takes the statistics of f.
     ///
     /// # Errors
     /// What that scene is refused for; layers with drivers.
     fn around(&self, stage: &Stage) -> Result<Exports, Error> {
         let name = format!("{}_heights", self.name);
-        let heights = Self { name, transfer: None, transfer_tier: None, driver: None, ..self.clone() }.module()?;
+        let heights = Self { name, transfer: None, transfer_tier: None, driver: None, ..self.clone() };
+        let nodes = stage.nodes.as_ref().map_or(0.0, |nodes| nodes.table.part() * self.varied());
+        let heights = heights.within(nodes)?.module().map_err(|error| match error {
+            Error::Accuracy { scene, asked, closest, bound } => {
+                Error::Accuracy { scene, asked: asked + nodes, closest, bound: bound + nodes }
+            }
+            other => other,
+        })?;
         if heights.exports.iter().any(|export| export.name == format!("{}_color", heights.name)) {
             let what =
                 format!("the layers of `{}` have drivers, and it a `transfer`: pass their statistics", self.name);
@@ -252,7 +279,7 @@ impl Scene {
         }
         let bound = match (heights.bound, &stage.nodes) {
             (bound, None) => bound,
-            (bound, Some(nodes)) => Bound::Estimated(bound.value() + 2.0 * nodes.table.error * self.varied()),
+            (bound, Some(_)) => Bound::Estimated(bound.value() + nodes),
         };
         let narrow = stage.nodes.as_ref().map_or(0.0, Nodes::narrow);
         Ok(Exports {

@@ -1,9 +1,10 @@
 //! The tiers of values that a scene tries, and what their distribution is.
 
 use super::candidate::{arguments, parameters, Candidate, Over, Text};
+use super::sizes::of_texels;
 use super::Scene;
 use crate::filter::distribution::Distribution;
-use crate::filter::texture::{color_type, number};
+use crate::filter::texture::{color_type, number, NODES};
 use crate::filter::Tier;
 use crate::table::Table;
 use crate::transfer::color_map::ColorMap;
@@ -27,8 +28,9 @@ impl Scene {
     }
 
     pub(super) fn textures(&self, map: &ColorMap) -> Result<Vec<Candidate>, Error> {
-        let candidate = |tier: Tier| {
-            let filter = self.distribution.filter(map, self.colors, tier, self.chosen_ranges())?;
+        let tabulated = self.distribution.tabulated();
+        let candidate = |tier: Tier, nodes: [usize; 2]| {
+            let filter = self.distribution.filter(map, self.colors, tier, nodes, self.chosen_ranges())?;
             let beneath = self.texture_glue(map, tier, self.chosen_ranges(), &filter);
             let color = color_type(map.channels());
             let paired = self.distribution == Distribution::Pair;
@@ -36,11 +38,16 @@ impl Scene {
             let called = if paired { "pair" } else { "texture" };
             let glue = beneath.clone() + &pair + &self.driven(called, color, "", &filter.tables);
             let text = Text { glue, beneath, ..Text::default() };
-            let tabulated = self.distribution.tabulated();
             let label = if tabulated { format!("a table of {}", self.distribution) } else { tier.to_string() };
-            self.candidate(label, Over::Values, filter.bound.value(), filter, text)
+            let label = label + &of_texels(nodes, NODES);
+            Ok(vec![self.candidate(label, Over::Values, filter.bound.value(), filter, text)?])
         };
-        self.tiers().into_iter().map(candidate).collect()
+        let edge =
+            map.knots().iter().flat_map(|knot| (0..4).map(|channel| (knot.right[channel] - knot.left[channel]).abs()));
+        let hopeless =
+            !tabulated && self.accuracy.is_some_and(|accuracy| edge.fold(0.0, f32::max) > accuracy.max_filter_error);
+        let tiers = self.tiers().into_iter().filter(|tier| *tier != Tier::Table || self.tier.is_some() || !hopeless);
+        self.by_tiers(tiers.collect(), candidate)
     }
 
     /// `NAME_pair`: the color over two normal distributions. Rounded weights may add up to more than one.

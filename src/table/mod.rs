@@ -117,6 +117,11 @@ impl Table {
         self.levels.iter().map(Level::count).sum::<usize>() * self.format.bytes_per_texel()
     }
 
+    /// Its part in a bound: twice the error.
+    pub(crate) fn part(&self) -> f32 {
+        2.0 * self.error
+    }
+
     /// Whether it is a three-dimensional texture: one of several slices.
     pub fn is_volume(&self) -> bool {
         self.levels.iter().any(|level| level.depth > 1)

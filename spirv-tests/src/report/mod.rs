@@ -1,5 +1,6 @@
 //! The report: speed against error of every filter, side by side, on whatever device is there.
 
+pub mod accuracy;
 pub mod cache;
 pub mod csv;
 pub mod document;
@@ -59,6 +60,8 @@ pub enum Part {
     Filters,
     /// The examples' scenes, all methods side by side.
     Scenes,
+    /// Whether budgets are kept, and by what.
+    Accuracy,
     /// Hard cases.
     Extremes,
     /// How long scenes take to become modules and tables.
@@ -67,13 +70,14 @@ pub enum Part {
 
 impl Part {
     /// All of them, in the report's order.
-    pub const ALL: [Self; 4] = [Self::Filters, Self::Scenes, Self::Extremes, Self::Generation];
+    pub const ALL: [Self; 5] = [Self::Filters, Self::Scenes, Self::Accuracy, Self::Extremes, Self::Generation];
 
     /// Its name, as on the command line.
     pub fn name(self) -> &'static str {
         match self {
             Self::Filters => "filters",
             Self::Scenes => "scenes",
+            Self::Accuracy => "accuracy",
             Self::Extremes => "extremes",
             Self::Generation => "generation",
         }
@@ -84,6 +88,7 @@ impl Part {
         match self {
             Self::Filters => filters::steps(extent),
             Self::Scenes => scenes::steps(extent),
+            Self::Accuracy => accuracy::steps(extent),
             Self::Extremes => extremes::steps(extent),
             Self::Generation => generation::steps(extent),
         }
@@ -97,6 +102,7 @@ impl Part {
         match self {
             Self::Filters => filters::section(bench),
             Self::Scenes => scenes::section(bench),
+            Self::Accuracy => accuracy::section(bench),
             Self::Extremes => extremes::section(bench),
             Self::Generation => generation::section(bench),
         }

@@ -158,7 +158,7 @@ fn settings_of_other_filters_are_refused() -> Outcome {
         (share.slope_tier(SlopeTier::Pair), "a `height_percentile` goes without a tier of slopes"),
         (slope.irradiance_tier(normals), "a `slope` goes without a tier of irradiance"),
         (light.clone().tier(FAST), "`irradiance` goes without a color map's tier"),
-        (light.clone().ranges(Ranges::default()), "`irradiance` goes without `ranges`"),
+        (light.clone().ranges(Ranges::default()), "its `ranges` are wider"),
         (light.driver(driver), "`irradiance` goes without a driver"),
     ] {
         let message = scene.module().map(|module| module.explain().to_owned()).unwrap_err().to_string();

@@ -9,13 +9,19 @@ use crate::table::bake::Plan;
 use crate::table::grid::{Axis, Spacing};
 use crate::transfer::color_map::{ColorMap, Colors};
 
-/// Nodes along the mean and along the deviation, whose rows stand in `wgsl/filter/height.wgsl` too.
-const NODES: [usize; 2] = [256, 32];
+/// Nodes along the mean.
+pub(crate) const COLUMNS: usize = 256;
+
+/// Those from which an accuracy chooses.
+pub(crate) const SIZES: [usize; 3] = [128, COLUMNS, 512];
+
+/// Nodes along the deviation: they stand in `wgsl/filter/height.wgsl` too.
+const ROWS: usize = 32;
 
 /// The filter by the table, for any map.
-pub(crate) fn skewed(map: &ColorMap, colors: Colors, surface: Microsurface, ranges: Ranges) -> Filter {
-    let means = means(map, colors, surface, ranges);
-    let deviations = Axis { low: 0.0, high: ranges.deviation.into(), count: NODES[1], spacing: Spacing::SquareRoot };
+pub(crate) fn skewed(map: &ColorMap, colors: Colors, surface: Microsurface, columns: usize, ranges: Ranges) -> Filter {
+    let means = means(map, colors, surface, columns, ranges);
+    let deviations = Axis { low: 0.0, high: ranges.deviation.into(), count: ROWS, spacing: Spacing::SquareRoot };
     let floor = tier::floor(HeightTier::Skewed, ranges);
     let judged = (means.low as f32, means.high as f32);
     let table = Plan { map: &map.reference(), means, deviations, judged }.of_heights("table", floor.into());
@@ -38,12 +44,12 @@ pub(crate) fn skewed(map: &ColorMap, colors: Colors, surface: Microsurface, rang
 
 /// An axis of all means that a scene's ranges can ask for, but for those where the color is that of the map's end. That
 /// of constant colors fits the map; that of dynamic ones is the same for all maps.
-fn means(map: &ColorMap, colors: Colors, surface: Microsurface, ranges: Ranges) -> Axis {
+fn means(map: &ColorMap, colors: Colors, surface: Microsurface, columns: usize, ranges: Ranges) -> Axis {
     let (low, high) = (f64::from(ranges.mean.0), f64::from(ranges.mean.1));
     let (deviation, knots) = (f64::from(ranges.deviation), map.knots());
     let highest = high + f64::from(REACH) * deviation;
     if colors == Colors::Dynamic {
-        return Axis::round(low, highest, NODES[0]).in_f32();
+        return Axis::round(low, highest, columns).in_f32();
     }
     let [first, last] = [knots[0], knots[knots.len() - 1]].map(|knot| f64::from(knot.position));
     // Four deviations of all heights from the map the color is that of its end. Visible heights whose mean is two of
@@ -53,5 +59,5 @@ fn means(map: &ColorMap, colors: Colors, surface: Microsurface, ranges: Ranges) 
     let above = if surface.perturbed { highest } else { skewed };
     let far = above.min(last + 4.0 * deviation).max(low + deviation);
     let near = low.max(first - 4.0 * deviation).min(high);
-    Axis::fitted(near, far, NODES[0], &bends(map)).in_f32()
+    Axis::fitted(near, far, columns, &bends(map)).in_f32()
 }

@@ -5,7 +5,7 @@ use super::tier::{rounded, texture_ranges, HeightTier};
 use super::variation;
 use crate::accuracy::{Bound, Ranges};
 use crate::filter::terms::{constant, placed, terms};
-use crate::filter::texture::{filter, pieces, reach, swizzle, Filter};
+use crate::filter::texture::{filter, pieces, reach, swizzle, Filter, NODES};
 use crate::filter::{Kernel, Tier};
 use crate::transfer::color_map::{ColorMap, Colors};
 use crate::transfer::pieces::Pieces;
@@ -32,7 +32,7 @@ pub(crate) fn tails(map: &ColorMap, colors: Colors, surface: Microsurface, range
         format!("    let tails = height_skewed({width}, visible.z);\n")
     };
     let (rounding, tables, trips) = if colors == Colors::Dynamic {
-        let texture = filter(map, colors, Tier::ClosedForm(Kernel::Exact), below)?;
+        let texture = filter(map, colors, Tier::ClosedForm(Kernel::Exact), NODES, below)?;
         body += &format!("    return height_knots({mean}, tails, knots){};\n", swizzle(map));
         (variation(map) * RAMP + f64::from(texture.bound.value()), texture.tables, texture.trips)
     } else {

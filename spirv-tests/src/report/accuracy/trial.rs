@@ -1,0 +1,112 @@
+//! One scene with one budget: what is chosen for it, and how far that is from the truth.
+
+use prefilter::gpu::Device;
+use prefilter::{Error, Module};
+
+use super::case::Case;
+use super::filter::Filter;
+use crate::exports::ExportKernel;
+use crate::random::Random;
+
+/// What came of a scene.
+#[derive(Clone, Debug)]
+pub struct Trial {
+    /// The number that it was drawn by.
+    pub number: u32,
+    /// What it filters.
+    pub filter: Filter,
+    /// Whether the budget that was drawn first was refused.
+    pub refused: bool,
+    /// The largest error that it asked for.
+    pub budget: f64,
+    /// What was chosen, in words.
+    pub label: String,
+    /// Its bound.
+    pub bound: f64,
+    /// The largest error that was found.
+    pub measured: f64,
+    /// Whether it is cheaper than the finest tier, where any is that keeps the largest budget.
+    pub cheaper: Option<bool>,
+}
+
+/// The smallest and the largest budget, between which they are even in their logarithm.
+pub const BUDGETS: [f64; 2] = [1e-4, 0.3];
+
+/// Draws and judges a scene, at so many times the usual count of pixels. Where no tier keeps the budget that is drawn
+/// first, others are, from the bound of the closest on.
+///
+/// # Errors
+/// What scenes are refused for but the accuracy, and what the device refuses.
+pub fn trial(device: &Device, number: u32, density: f64) -> Result<Trial, Error> {
+    let case = Case::new(number, density)?;
+    let mut random = Random::new(number ^ 0x5bd1_e995);
+    let (mut budget, mut refused) = (random.between(BUDGETS[0], BUDGETS[1]), false);
+    let module = loop {
+        match case.within(budget) {
+            // Of a combination it is the bound of a layer.
+            Err(Error::Accuracy { bound, .. }) => {
+                let closest = f64::from(bound).max(budget);
+                budget = 1.000_01 * random.between(closest, BUDGETS[1].max(2.0 * closest));
+                refused = true;
+            }
+            chosen => break chosen?,
+        }
+    };
+    Ok(Trial {
+        number,
+        filter: case.filter,
+        refused,
+        budget,
+        label: label(&module),
+        bound: module.bound().value().into(),
+        measured: measured(device, &case, &module)?,
+        cheaper: cheaper(&case, &module, budget)?,
+    })
+}
+
+/// The largest error of the first export over the case's pixels; infinite where a color is not finite.
+///
+/// # Errors
+/// What the device refuses.
+pub fn measured(device: &Device, case: &Case, module: &Module) -> Result<f64, Error> {
+    let export = &module.exports()[0];
+    let parameters = export.parameters();
+    let numbers: Vec<f32> = case.pixels.iter().flat_map(|pixel| pixel.numbers(&parameters)).collect();
+    let colors = ExportKernel::new(device, module, export)?.run(&numbers)?;
+    let mut worst = if colors.is_empty() || colors.len() != case.pixels.len() { f64::INFINITY } else { 0.0 };
+    for (color, pixel) in colors.iter().zip(&case.pixels) {
+        let truth = case.truth.color(pixel);
+        for channel in 0..3 {
+            let apart = (f64::from(color[channel]) - truth[channel]).abs();
+            // Written so that NaN is the worst.
+            worst = if apart <= worst { worst } else { apart.max(worst) };
+            if apart.is_nan() {
+                worst = f64::INFINITY;
+            }
+        }
+    }
+    Ok(worst)
+}
+
+/// What was chosen, in words: those of the first line, and of layers their own.
+fn label(module: &Module) -> String {
+    let said = module.explain().lines().filter_map(|line| {
+        let own = line.starts_with(module.name()) || line.trim_start().starts_with("layer ");
+        let (_, by) = line.split_once(" by ").filter(|_| own)?;
+        Some(by.split_once(": error").map_or(by, |(by, _)| by).to_owned())
+    });
+    said.collect::<Vec<_>>().join("; ")
+}
+
+/// Whether the module weighs less than that of the finest tier, or as much with fewer bytes of tables; nothing where
+/// none does that keeps the largest budget.
+fn cheaper(case: &Case, module: &Module, budget: f64) -> Result<Option<bool>, Error> {
+    let Some(finest) = &case.finest else { return Ok(None) };
+    let cost = |module: &Module| (module.cost().weight(), module.cost().table_bytes);
+    let finest = cost(&finest.module()?);
+    if cost(module) < finest {
+        return Ok(Some(true));
+    }
+    let lightest = case.within(budget.max(BUDGETS[1]))?;
+    Ok((cost(&lightest) < finest).then_some(false))
+}

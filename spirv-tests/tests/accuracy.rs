@@ -1,0 +1,29 @@
+//! Does what a budget chooses keep it, and how wide are the bounds?
+
+use prefilter::gpu::Device;
+use spirv_tests::report::accuracy::filter::Filter;
+use spirv_tests::report::accuracy::tally::Tally;
+use spirv_tests::report::accuracy::trials;
+
+type Outcome = Result<(), Box<dyn std::error::Error + Send + Sync>>;
+
+/// Scenes of every filter, with hard edges, at the corners of their ranges; the report has fifty times as many.
+#[test]
+fn what_a_budget_chooses_keeps_it() -> Outcome {
+    let trials = trials(&Device::new()?, 0, (200, 0.5), &|_| {})?;
+    for filter in Filter::ALL {
+        let own: Vec<_> = trials.iter().filter(|trial| trial.filter == filter).collect();
+        println!("{}: {:?}", filter.name(), Tally::new(&own));
+        assert!(!own.is_empty());
+    }
+    for trial in &trials {
+        assert!(trial.bound <= trial.budget * 1.000_001, "{trial:?}");
+        // Written so that NaN fails.
+        assert!(trial.measured <= trial.bound, "{trial:?}");
+        assert!(trial.measured > 0.0, "{trial:?}");
+    }
+    let whole = Tally::new(&trials.iter().collect::<Vec<_>>());
+    println!("all: {whole:?}");
+    assert!(whole.count == 200 && whole.exceeded == 0 && whole.median <= 10.0, "{whole:?}");
+    Ok(())
+}

@@ -1,0 +1,70 @@
+//! Sizes of tables that a scene tries.
+
+use super::candidate::Candidate;
+use super::Scene;
+use crate::filter::texture::{NODES, SIZES};
+use crate::filter::Tier;
+use crate::table::Table;
+use crate::Error;
+
+/// How many times as close a table of twice the nodes along each axis may be: a bend between two nodes is read half as
+/// wrong, what is smooth a fourth.
+const CLOSER: f32 = 4.0;
+
+/// ` of 64 × 8 texels`, or nothing where a table is of its tier's own size.
+pub(super) fn of_texels<const N: usize>(nodes: [usize; N], own: [usize; N]) -> String {
+    if nodes == own {
+        return String::new();
+    }
+    format!(" of {} {}", nodes.map(|count| count.to_string()).join(" × "), if N == 1 { "columns" } else { "texels" })
+}
+
+impl Scene {
+    /// The sizes from which the accuracy chooses; where there is none or the scene names the table, its own.
+    pub(super) fn sizes<T: Copy>(&self, sizes: &[T], own: T) -> Vec<T> {
+        if self.accuracy.is_some() && self.tier.is_none() {
+            sizes.to_vec()
+        } else {
+            vec![own]
+        }
+    }
+
+    /// The candidates of some tiers of C0, each with the sizes of its table.
+    pub(super) fn by_tiers(
+        &self,
+        tiers: Vec<Tier>,
+        attempt: impl Fn(Tier, [usize; 2]) -> Result<Vec<Candidate>, Error>,
+    ) -> Result<Vec<Candidate>, Error> {
+        let mut candidates = Vec::new();
+        for tier in tiers {
+            let sizes = if tier == Tier::Table { self.sizes(&SIZES, NODES) } else { vec![NODES] };
+            candidates.extend(self.by_sizes(&sizes, |nodes| attempt(tier, nodes))?);
+        }
+        Ok(candidates)
+    }
+
+    /// The candidates of tables of rising sizes, up to that from which on none would be chosen: a larger table weighs
+    /// no less, and is tried where it may keep an accuracy that the smaller one does not.
+    pub(super) fn by_sizes<T: Copy>(
+        &self,
+        sizes: &[T],
+        attempt: impl Fn(T) -> Result<Vec<Candidate>, Error>,
+    ) -> Result<Vec<Candidate>, Error> {
+        let asked = self.accuracy.unwrap_or_default().max_filter_error;
+        let mut candidates = Vec::new();
+        for (larger, &size) in (0..sizes.len()).rev().zip(sizes) {
+            let tried = attempt(size)?;
+            let may_gain = |candidate: &Candidate| {
+                let tables = candidate.filter.tables.iter().map(Table::part).sum::<f32>();
+                let rest = candidate.judged - tables;
+                candidate.judged > asked && tables <= (asked - rest) * CLOSER.powi(larger as i32)
+            };
+            let go_on = tried.iter().any(may_gain);
+            candidates.extend(tried);
+            if !go_on {
+                break;
+            }
+        }
+        Ok(candidates)
+    }
+}
