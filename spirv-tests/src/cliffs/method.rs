@@ -5,8 +5,8 @@ use super::scene::{Materials, PRODUCTS};
 use super::Error;
 use crate::imaging::picture::Picture;
 use crate::imaging::taps::ALL_TAPS;
-use prefilter::gpu::{Address, Device, Kernel, Texture, Work};
-use prefilter::{Accuracy, Irradiance, IrradianceTier, Microsurface, Scene};
+use prefilter::gpu::{Address, Device, Dispatch, Kernel, Texture, Work};
+use prefilter::{Accuracy, ColorMap, Irradiance, IrradianceTier, Microsurface, Module, Scene, Tier};
 
 /// A way to color and light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -19,6 +19,8 @@ pub enum Method {
     Factored,
     /// The mean of color times irradiance over what is seen.
     Joint,
+    /// As the naive method, without a filter's machinery: maps and light are looked up once each.
+    Plain,
 }
 
 /// The largest error of the mean color that is asked for: lengths of slopes are ten distributions where one errs by
@@ -26,13 +28,16 @@ pub enum Method {
 const ERROR: f32 = 0.06;
 
 impl Method {
-    /// All of them.
+    /// Those that the demo shows.
     pub const ALL: [Self; 4] = [Self::Naive, Self::Alike, Self::Factored, Self::Joint];
+
+    /// Those of the report.
+    pub const REPORTED: [Self; 4] = [Self::Plain, Self::Alike, Self::Factored, Self::Joint];
 
     /// The name above pictures and in tables for people.
     pub fn label(self) -> &'static str {
         match self {
-            Self::Naive => "naive",
+            Self::Plain | Self::Naive => "naive",
             Self::Alike => "view-independent",
             Self::Factored => "ours, factored",
             Self::Joint => "ours, joint",
@@ -45,7 +50,7 @@ impl Method {
     /// The name in tables for other programs.
     pub fn stem(self) -> &'static str {
         match self {
-            Self::Naive => "naive",
+            Self::Plain | Self::Naive => "naive",
             Self::Alike => "view-independent",
             Self::Factored => "factored",
             Self::Joint => "joint",
@@ -54,12 +59,37 @@ impl Method {
 
     fn text(self) -> &'static str {
         match self {
+            Self::Plain => include_str!("methods/plain.wgsl"),
             Self::Naive => include_str!("methods/naive.wgsl"),
             Self::Alike => include_str!("methods/alike.wgsl"),
             Self::Factored => include_str!("methods/factored.wgsl"),
             Self::Joint => include_str!("methods/joint.wgsl"),
         }
     }
+}
+
+/// The modules of colors and of light over what is seen.
+///
+/// # Errors
+/// Those of the scenes.
+pub fn modules(materials: &Materials, sky: Irradiance) -> Result<[Module; 2], Error> {
+    let seen = Microsurface { shadowing: false, mean_slope: true, ..Microsurface::default() };
+    let colors = Scene::new("cliffs").combination(materials.map()?.combination("ground", PRODUCTS)?);
+    let colors = colors.microsurface(seen).irradiance(sky).accuracy(Accuracy::max_filter_error(ERROR)).module()?;
+    let light = Scene::new("sky").irradiance(sky).irradiance_tier(IrradianceTier::FourGaussians).module()?;
+    Ok([colors, light])
+}
+
+/// The modules that filter nothing: of the three colors and of the light.
+///
+/// # Errors
+/// Those of the scenes.
+pub fn plain(materials: &Materials, sky: Irradiance) -> Result<Vec<Module>, Error> {
+    let color = |name, map: &ColorMap| Scene::new(name).texture(map.clone()).tier(Tier::Naive);
+    let light = Scene::new("day").irradiance(sky).irradiance_tier(IrradianceTier::Normal);
+    let scenes =
+        [color("woods", &materials.ground), color("bare", &materials.flat), color("rock", &materials.rock), light];
+    scenes.iter().map(|scene| Ok(scene.module()?)).collect()
 }
 
 /// A method ready to color on a device under one sky.
@@ -75,13 +105,11 @@ impl Renderer {
     /// # Errors
     /// Those of the scenes and of the device.
     pub fn new(device: &Device, materials: &Materials, sky: Irradiance, method: Method) -> Result<Self, Error> {
-        let seen = Microsurface { shadowing: false, mean_slope: true, ..Microsurface::default() };
-        let colors = Scene::new("cliffs").combination(materials.map()?.combination("ground", PRODUCTS)?);
-        let colors = colors.microsurface(seen).irradiance(sky).accuracy(Accuracy::max_filter_error(ERROR)).module()?;
-        let light = Scene::new("sky").irradiance(sky).irradiance_tier(IrradianceTier::FourGaussians).module()?;
+        let [colors, light] = modules(materials, sky)?;
         let text = [include_str!("shade.wgsl"), method.text()].join("\n");
-        let shader = prefilter::link(&[&colors, &light], &text)?;
-        let kernel = Kernel::new(device, shader.wgsl(), "main")?;
+        let plain = if method == Method::Plain { plain(materials, sky)? } else { Vec::new() };
+        let modules: Vec<&Module> = [&colors, &light].into_iter().chain(&plain).collect();
+        let kernel = Kernel::new(device, prefilter::link(&modules, &text)?.wgsl(), "main")?;
         let textures = colors.tables().iter().map(|table| device.upload(table, Address::Clamp));
         Ok(Self { kernel, textures: textures.collect::<Result<_, _>>()? })
     }
@@ -105,6 +133,15 @@ impl Renderer {
     /// # Errors
     /// Those of the device.
     pub fn colors(&self, known: &[Known]) -> Result<Vec<[f32; 3]>, Error> {
+        let colors = self.prepare(known)?.run()?;
+        Ok(colors.chunks_exact(4).map(|color| [color[0], color[1], color[2]]).collect())
+    }
+
+    /// The kernel with its inputs, to run or to time.
+    ///
+    /// # Errors
+    /// Those of the device.
+    pub fn prepare(&self, known: &[Known]) -> Result<Dispatch, Error> {
         let numbers = known.iter().flat_map(|known| {
             let Known { mean, deviation, slope, covariance, view } = known;
             let parts: [&[f32]; 4] = [&[*mean, *deviation], slope, covariance, view];
@@ -113,7 +150,6 @@ impl Renderer {
         let numbers: Vec<f32> = numbers.collect();
         let textures: Vec<&Texture> = self.textures.iter().collect();
         let (invocations, output) = (known.len(), 4 * known.len());
-        let colors = self.kernel.run(&Work { inputs: &[&numbers], textures: &textures, invocations, output })?;
-        Ok(colors.chunks_exact(4).map(|color| [color[0], color[1], color[2]]).collect())
+        Ok(self.kernel.prepare(&Work { inputs: &[&numbers], textures: &textures, invocations, output })?)
     }
 }

@@ -136,7 +136,7 @@ pub fn suns(view: &View) -> [&'static str; 2] {
 pub fn views([width, height]: [usize; 2]) -> [View; 3] {
     let pinhole =
         |degrees: [f64; 2], last| Lens::Pinhole { tangents: degrees.map(|degrees| degrees.to_radians().tan()), last };
-    let view = |name, title, lens| View { name, title, lens, width, height };
+    let view = |name, title, lens| View { name, title, lens, width, height, pan: [0.0; 2] };
     [
         view("grazing", "grazing: the ground from 1.5 to 15 degrees below the horizon", pinhole([1.5, 15.0], 60.0)),
         view("oblique", "oblique: the ground from 12 to 40 degrees below the horizon", pinhole([12.0, 40.0], 150.0)),

@@ -69,6 +69,14 @@ impl Method {
         }
     }
 
+    /// The taps of a generated module.
+    pub fn taps(self) -> Option<Taps> {
+        match self {
+            Self::Ours(taps) => Some(taps),
+            _ => None,
+        }
+    }
+
     fn text(self) -> &'static str {
         match self {
             Self::Naive => include_str!("methods/naive.wgsl"),
@@ -81,7 +89,10 @@ impl Method {
     }
 
     /// The module that the kernel calls. The pre-colored methods call none: theirs is linked and dropped.
-    fn module(self, input: &Input) -> Result<Module, Error> {
+    ///
+    /// # Errors
+    /// Those of the scene.
+    pub fn module(self, input: &Input) -> Result<Module, Error> {
         let scene = Scene::new("surface").texture(input.map.clone());
         let scene = match self {
             Self::Naive | Self::Mean | Self::Colored | Self::ColoredAlong => scene.tier(Tier::Naive),
@@ -92,7 +103,10 @@ impl Method {
     }
 
     /// The image that the kernel reads; the module's tables follow it.
-    fn image(self, input: &Input) -> Result<Table, Error> {
+    ///
+    /// # Errors
+    /// Those of the pyramid.
+    pub fn image(self, input: &Input) -> Result<Table, Error> {
         Ok(match self {
             Self::Naive | Self::Mean | Self::Paper => pyramid::raw_moments(&input.heights),
             Self::Colored | Self::ColoredAlong => pyramid::colored(&input.heights, &input.map.reference()),
@@ -121,7 +135,20 @@ impl Renderer {
     /// # Errors
     /// Those of the scene and of the device.
     pub fn new(device: &Device, input: &Input, method: Method) -> Result<Self, Error> {
-        let module = method.module(input)?;
+        Self::of(device, input, method, &method.module(input)?)
+    }
+
+    /// The naive tier with the driver of a generated module.
+    ///
+    /// # Errors
+    /// Those of the scene and of the device.
+    pub fn naive(device: &Device, input: &Input, taps: Taps) -> Result<Self, Error> {
+        let driver = Driver::Moments(Moments { taps, ..Moments::default() });
+        let scene = Scene::new("surface").texture(input.map.clone()).driver(driver).tier(Tier::Naive);
+        Self::of(device, input, Method::Ours(taps), &scene.module()?)
+    }
+
+    fn of(device: &Device, input: &Input, method: Method, module: &Module) -> Result<Self, Error> {
         let shader = module.link(&format!("{}\n{}", include_str!("ground.wgsl"), method.text()))?;
         let kernel = Kernel::new(device, shader.wgsl(), "main")?;
         let mut textures = vec![device.upload(&method.image(input)?, input.heights.address)?];
@@ -153,7 +180,11 @@ impl Renderer {
         Ok(1e3 * times.into_iter().fold(f64::INFINITY, f64::min))
     }
 
-    fn prepare(&self, plane: &Plane) -> Result<Dispatch, Error> {
+    /// The kernel with its inputs, to run or to time.
+    ///
+    /// # Errors
+    /// Those of the device.
+    pub fn prepare(&self, plane: &Plane) -> Result<Dispatch, Error> {
         let first = plane.pixel(0, 0);
         let numbers =
             [[plane.width as f64, plane.height as f64], first, [plane.focal, plane.turn], plane.periods, plane.origin];

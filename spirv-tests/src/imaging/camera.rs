@@ -23,6 +23,8 @@ pub struct View {
     pub enlarged: usize,
     /// Strata an axis of each of the two halves of the truth.
     pub strata: usize,
+    /// Where the picture has been moved to, in pixels right and down.
+    pub pan: [f64; 2],
 }
 
 /// A ray, and how its way changes from a pixel to the next on the right and the next below.
@@ -39,7 +41,13 @@ pub struct Ray {
 impl View {
     /// The middle of a pixel, right of and below the picture's.
     pub fn middle(&self, column: usize, row: usize) -> [f64; 2] {
-        [column as f64 - 0.5 * (self.width as f64 - 1.0), row as f64 - 0.5 * (self.height as f64 - 1.0)]
+        let [right, down] = self.pan;
+        [column as f64 - 0.5 * (self.width as f64 - 1.0) + right, row as f64 - 0.5 * (self.height as f64 - 1.0) + down]
+    }
+
+    /// The picture moved by pixels right and down, through a lens that is as many times longer.
+    pub fn moved(self, pan: [f64; 2], zoom: f64) -> Self {
+        Self { focal: self.focal * zoom, pan, ..self }
     }
 
     /// The ray of a place in the picture.
@@ -67,8 +75,18 @@ mod tests {
     #[test]
     fn changes_are_derivatives_of_rays() {
         let (eye, target) = ([3.0, -20.0, 9.0], [0.3, -1.2, 0.6]);
-        let view =
-            View { name: "", title: "", eye, target, focal: 70.0, width: 60, height: 42, enlarged: 1, strata: 1 };
+        let view = View {
+            name: "",
+            title: "",
+            eye,
+            target,
+            focal: 70.0,
+            width: 60,
+            height: 42,
+            enlarged: 1,
+            strata: 1,
+            pan: [0.0; 2],
+        };
         let ray = view.ray([7.3, -4.1]);
         for (place, change) in [[8.3, -4.1], [7.3, -3.1]].into_iter().zip(ray.changes) {
             let moved = difference(view.ray(place).way, ray.way);

@@ -37,6 +37,8 @@ pub struct View {
     pub width: usize,
     /// Rows.
     pub height: usize,
+    /// Where the picture has been moved to, in pixels right and down.
+    pub pan: [f64; 2],
 }
 
 /// A ray, and how it changes from a pixel to the next on the right.
@@ -64,7 +66,16 @@ pub fn azimuth(left: f64) -> [f64; 2] {
 impl View {
     /// The middle of a pixel: right of the picture's middle and down from its first row.
     pub fn middle(&self, column: usize, row: usize) -> [f64; 2] {
-        [column as f64 - 0.5 * (self.width as f64 - 1.0), row as f64]
+        [column as f64 - 0.5 * (self.width as f64 - 1.0) + self.pan[0], row as f64 + self.pan[1]]
+    }
+
+    /// The picture moved by pixels right and down, and as many times nearer.
+    pub fn moved(self, pan: [f64; 2], zoom: f64) -> Self {
+        let lens = match self.lens {
+            Lens::Satellite { first, farther } => Lens::Satellite { first: first / zoom, farther },
+            Lens::Pinhole { tangents, last } => Lens::Pinhole { tangents, last: last / zoom },
+        };
+        Self { lens, pan, ..self }
     }
 
     /// The ray of a place in the picture.
@@ -133,7 +144,7 @@ mod tests {
     use super::*;
 
     fn view(lens: Lens) -> View {
-        View { name: "", title: "", lens, width: 101, height: 51 }
+        View { name: "", title: "", lens, width: 101, height: 51, pan: [0.0; 2] }
     }
 
     fn pinhole(degrees: [f64; 2], last: f64) -> View {

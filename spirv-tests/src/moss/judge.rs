@@ -154,7 +154,7 @@ pub struct Judged {
 pub fn judge(device: &Device, extent: Extent, done: &(dyn Fn(u64) + Sync)) -> Result<Judged, Error> {
     let mut judged = Judged { rows: Vec::new(), zooms: Vec::new() };
     for material in scene::materials()? {
-        let studio = Studio::new(device, material)?;
+        let studio = Studio::new(device, material, &Method::ALL)?;
         let mut rows = scene::views(extent.size, extent.strata).map(|view| Row::new(studio.material.name, view));
         for seed in 0..extent.seeds {
             let noise = studio.noise(seed as u32 + 1);

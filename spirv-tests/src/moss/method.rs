@@ -7,9 +7,10 @@ use crate::exports::ExportKernel;
 use crate::imaging::look::Look;
 use crate::imaging::taps::ALL_TAPS;
 use crate::imaging::vector::Vector;
-use prefilter::gpu::Device;
+use prefilter::gpu::{Device, Dispatch};
 use prefilter::{
-    ColorMap, Export, HeightTier, Irradiance, IrradianceTier, Microsurface, Module, Ranges, Scene, TransferTier,
+    ColorMap, Export, HeightTier, HeightTransfer, Irradiance, IrradianceTier, Microsurface, Module, Ranges, Scene,
+    Tier, TransferTier,
 };
 
 /// A way to color and light.
@@ -21,11 +22,21 @@ pub enum Method {
     Paper,
     /// Heights as the curve makes them, slopes as a mixture of three normal distributions.
     Ours,
+    /// The color of the curve at the mean, and the sun on the mean normal; nothing is hidden.
+    Naive,
+    /// As ours with two normal distributions of slopes.
+    TwoNodes,
+    /// With four.
+    FourNodes,
 }
 
 impl Method {
-    /// All of them.
+    /// Those that the demo shows.
     pub const ALL: [Self; 3] = [Self::Texture, Self::Paper, Self::Ours];
+
+    /// All of them, for the report.
+    pub const REPORTED: [Self; 6] =
+        [Self::Naive, Self::Texture, Self::Paper, Self::TwoNodes, Self::Ours, Self::FourNodes];
 
     /// The name above pictures and in tables.
     pub fn label(self) -> &'static str {
@@ -33,6 +44,9 @@ impl Method {
             Self::Texture => "texture filtering",
             Self::Paper => "paper",
             Self::Ours => "ours",
+            Self::Naive => "naive",
+            Self::TwoNodes => "ours, two nodes",
+            Self::FourNodes => "ours, four nodes",
         }
     }
 }
@@ -86,6 +100,12 @@ impl Call {
 
     /// The results of taps, whose light is given.
     fn run(&self, known: &[Known], light: impl Fn(&Known) -> Vector) -> Result<Vec<[f64; 3]>, Error> {
+        let found = self.prepare(known, light)?.run()?;
+        Ok(found.chunks_exact(4).map(|color| [0, 1, 2].map(|channel| f64::from(color[channel]))).collect())
+    }
+
+    /// The kernel with its inputs.
+    fn prepare(&self, known: &[Known], light: impl Fn(&Known) -> Vector) -> Result<Dispatch, Error> {
         let parameters = self.export.parameters();
         let numbers = |known: &Known| {
             let light = light(known);
@@ -101,8 +121,7 @@ impl Call {
             parameters.iter().flat_map(|(name, _)| of(name)).map(|number| number as f32).collect::<Vec<_>>()
         };
         let points: Vec<f32> = known.iter().flat_map(numbers).collect();
-        let found = self.kernel.run(&points)?;
-        Ok(found.iter().map(|color| [0, 1, 2].map(|channel| f64::from(color[channel]))).collect())
+        Ok(self.kernel.prepare(&points)?)
     }
 }
 
@@ -110,9 +129,13 @@ impl Call {
 #[derive(Clone, Debug)]
 pub struct Renderer {
     color: Call,
+    /// Colors are those of this curve at the mean, which looks the map up.
+    curve: Option<HeightTransfer>,
     /// The share that is lit of what faces the sun.
     visibility: Option<Call>,
     lambert: Call,
+    /// The modules of both.
+    pub modules: [Module; 2],
 }
 
 impl Renderer {
@@ -122,21 +145,44 @@ impl Renderer {
     /// Those of the scenes and of the device.
     pub fn new(device: &Device, material: &Material, method: Method) -> Result<Self, Error> {
         let (slopes, tier) = match method {
-            Method::Texture => (IrradianceTier::Normal, TransferTier::Paper),
+            Method::Naive | Method::Texture => (IrradianceTier::Normal, TransferTier::Paper),
             Method::Paper => (IrradianceTier::FourGaussians, TransferTier::Paper),
+            Method::TwoNodes => (IrradianceTier::FourGaussians, TransferTier::TwoNodes),
             Method::Ours => (IrradianceTier::FourGaussians, TransferTier::ThreeNodes),
+            Method::FourNodes => (IrradianceTier::FourGaussians, TransferTier::FourNodes),
         };
         let light = Irradiance::from_equirectangular(4, 2, &[[1.0; 3]; 8])?;
         let light = Scene::new("light").irradiance(light).irradiance_tier(slopes);
         let light = light.transfer(material.curve.clone()).transfer_tier(tier).module()?;
-        let (color, visibility) = if method == Method::Texture {
-            let colors = Scene::new("colors").texture(values(material)?).ranges(VALUES).module()?;
-            (Call::new(device, &colors, "texture")?, None)
-        } else {
-            let surface = module(material, tier)?;
-            (Call::new(device, &surface, "height")?, Some(Call::new(device, &surface, "visibility")?))
+        let colors = match method {
+            Method::Naive => Scene::new("colors").texture(material.map.clone()).tier(Tier::Naive).module()?,
+            Method::Texture => Scene::new("colors").texture(values(material)?).ranges(VALUES).module()?,
+            _ => module(material, tier)?,
         };
-        Ok(Self { color, visibility, lambert: Call::new(device, &light, "lambert")? })
+        let (color, visibility) = match method {
+            Method::Naive | Method::Texture => (Call::new(device, &colors, "texture")?, None),
+            _ => (Call::new(device, &colors, "height")?, Some(Call::new(device, &colors, "visibility")?)),
+        };
+        let curve = (method == Method::Naive).then(|| material.curve.clone());
+        let lambert = Call::new(device, &light, "lambert")?;
+        Ok(Self { color, curve, visibility, lambert, modules: [colors, light] })
+    }
+
+    /// The kernels that a picture takes, with their inputs: of colors seen and lit, of the sun's cosine, and of what
+    /// is lit.
+    ///
+    /// # Errors
+    /// Those of the device.
+    pub fn prepare(&self, hits: &[Known]) -> Result<Vec<Dispatch>, Error> {
+        let sun = |known: &Known| known.sun;
+        let calls = [Some(&self.color), Some(&self.color), Some(&self.lambert), self.visibility.as_ref()];
+        calls.into_iter().flatten().map(|call| call.prepare(hits, sun)).collect()
+    }
+
+    /// What a map is looked up at: the curve at the mean, or the mean for a filter.
+    fn colored(&self, hits: &[Known]) -> Vec<Known> {
+        let mean = |known: &Known| self.curve.as_ref().map_or(known.mean, |curve| curve.height(known.mean));
+        hits.iter().map(|known| Known { mean: mean(known), ..*known }).collect()
     }
 
     /// What is shown of pixels, from what is known of their taps.
@@ -147,8 +193,9 @@ impl Renderer {
         let hits: Vec<Known> = known.iter().flatten().flatten().copied().collect();
         let sun = |known: &Known| known.sun;
         // From the zenith everything is lit.
-        let seen = self.color.run(&hits, |_| [0.0, 0.0, 1.0])?;
-        let lit = self.color.run(&hits, sun)?;
+        let colored = self.colored(&hits);
+        let seen = self.color.run(&colored, |_| [0.0, 0.0, 1.0])?;
+        let lit = self.color.run(&colored, sun)?;
         let lambert = self.lambert.run(&hits, sun)?;
         let visible = match &self.visibility {
             Some(visibility) => visibility.run(&hits, sun)?,

@@ -97,7 +97,7 @@ pub fn views([width, height]: [usize; 2], strata: [usize; 3]) -> [View; 3] {
         let target = sum(eye, [0.0, half.cos(), half.sin()]);
         let (width, height) = (width / enlarged, height / enlarged);
         let focal = 0.5 * height as f64 / half.tan();
-        View { name, title, eye, target, focal, width, height, enlarged, strata }
+        View { name, title, eye, target, focal, width, height, enlarged, strata, pan: [0.0; 2] }
     };
     [
         view("near", "near", 8.0, 1, strata[0]),
@@ -122,7 +122,18 @@ pub fn frames([width, height]: [usize; 2], strata: usize, count: usize) -> Vec<V
     let frame = |number: usize| {
         let pixel = PIXELS[0] * (PIXELS[1] / PIXELS[0]).powf(number as f64 / (count - 1) as f64);
         let eye = sum(target, scaled([0.0, -1.0, 0.0], FOCAL * pixel));
-        View { name: "zoom", title: "zoom", eye, target, focal: FOCAL, width, height, enlarged: 1, strata }
+        View {
+            name: "zoom",
+            title: "zoom",
+            eye,
+            target,
+            focal: FOCAL,
+            width,
+            height,
+            enlarged: 1,
+            strata,
+            pan: [0.0; 2],
+        }
     };
     (0..count).map(frame).collect()
 }

@@ -50,16 +50,21 @@ pub struct Seen {
 }
 
 impl Studio {
-    /// Generates and compiles all methods.
+    /// Generates and compiles some methods.
     ///
     /// # Errors
     /// Those of scenes and of the device.
-    pub fn new(device: &Device, material: Material) -> Result<Self, Error> {
+    pub fn new(device: &Device, material: Material, methods: &[Method]) -> Result<Self, Error> {
         let displacement = Displacement::new(device, &module(&material, TransferTier::Paper)?)?;
-        let renderers = Method::ALL.map(|method| Renderer::new(device, &material, method));
-        let renderers = renderers.into_iter().collect::<Result<Vec<_>, Error>>()?;
+        let renderers = methods.iter().map(|&method| Renderer::new(device, &material, method));
+        let renderers = renderers.collect::<Result<Vec<_>, Error>>()?;
         let map = material.map.reference();
         Ok(Self { material, map, displacement, renderers, pixel: Pixel::default() })
+    }
+
+    /// The methods.
+    pub fn renderers(&self) -> &[Renderer] {
+        &self.renderers
     }
 
     /// How many methods there are.
@@ -81,16 +86,36 @@ impl Noise<'_> {
     /// # Errors
     /// Those of the device.
     pub fn look(&self, view: &View, seed: u64, done: &(dyn Fn(u64) + Sync)) -> Result<Seen, Error> {
-        let Studio { material, map, displacement, renderers, pixel } = self.studio;
-        let (low, high) = material.curve.range(f64::NEG_INFINITY, f64::INFINITY);
-        let (range, sun, log) = ([low, high], scene::sun(), LOG);
-        let scenery = Scenery { log, relief: &self.relief, range, map, sun, pixel };
-        let halves = scenery.halves(view, seed, done);
-        let face = self.face();
-        let displaced = Displaced { log, waves: &self.waves, displacement, range, face, sun };
-        let known = displaced.picture(view);
-        let shown = renderers.iter().map(|renderer| renderer.shown(&known)).collect::<Result<_, Error>>()?;
-        Ok(Seen { truth: Scenery::mean(&halves), known, halves, shown })
+        let halves = self.scenery().halves(view, seed, done);
+        let known = self.known(view);
+        Ok(Seen { truth: Scenery::mean(&halves), shown: self.shown(&known)?, known, halves })
+    }
+
+    /// What the truth shoots rays at.
+    pub fn scenery(&self) -> Scenery<'_> {
+        let Studio { map, pixel, .. } = self.studio;
+        Scenery { log: LOG, relief: &self.relief, range: self.range(), map, sun: scene::sun(), pixel }
+    }
+
+    /// What is known of every pixel of a view.
+    pub fn known(&self, view: &View) -> Vec<[Option<Known>; ALL_TAPS]> {
+        let (displacement, range, face) = (&self.studio.displacement, self.range(), self.face());
+        let displaced = Displaced { log: LOG, waves: &self.waves, displacement, range, face, sun: scene::sun() };
+        displaced.picture(view)
+    }
+
+    /// What each method shows of that.
+    ///
+    /// # Errors
+    /// Those of the device.
+    pub fn shown(&self, known: &[[Option<Known>; ALL_TAPS]]) -> Result<Vec<Vec<Look>>, Error> {
+        self.studio.renderers.iter().map(|renderer| renderer.shown(known)).collect()
+    }
+
+    /// The lowest and the highest height.
+    fn range(&self) -> [f64; 2] {
+        let (low, high) = self.studio.material.curve.range(f64::NEG_INFINITY, f64::INFINITY);
+        [low, high]
     }
 
     /// How wide faces are: as it takes a slope's deviation to rise by that of f.

@@ -34,17 +34,20 @@ pub struct Scenery<'a> {
 impl Scenery<'_> {
     /// Both halves of the truth, by `strata`² rays a pixel each. `done` is told how many, from several threads.
     pub fn halves(&self, view: &View, seed: u64, done: &(dyn Fn(u64) + Sync)) -> [Vec<Look>; 2] {
-        [2 * seed + 1, 2 * seed + 2].map(|seed| {
-            let mut picture = vec![Look::UNKNOWN; view.width * view.height];
-            let look = |column: usize, row: usize| {
-                let middle = view.middle(column, row);
-                let places = self.pixel.samples(view.strata, seed, (row * view.width + column) as u64);
-                self.look(view, places.map(|[right, down]| [middle[0] + right, middle[1] + down]))
-            };
-            let rays = (view.width * view.strata * view.strata) as u64;
-            fill(&mut picture, view.width, &look, &|| done(rays));
-            picture
-        })
+        [2 * seed + 1, 2 * seed + 2].map(|seed| self.picture(view, view.strata, seed, done))
+    }
+
+    /// A picture by `strata`² rays a pixel. `done` is told how many, from several threads.
+    pub fn picture(&self, view: &View, strata: usize, seed: u64, done: &(dyn Fn(u64) + Sync)) -> Vec<Look> {
+        let mut picture = vec![Look::UNKNOWN; view.width * view.height];
+        let look = |column: usize, row: usize| {
+            let middle = view.middle(column, row);
+            let places = self.pixel.samples(strata, seed, (row * view.width + column) as u64);
+            self.look(view, places.map(|[right, down]| [middle[0] + right, middle[1] + down]))
+        };
+        let rays = (view.width * strata * strata) as u64;
+        fill(&mut picture, view.width, &look, &|| done(rays));
+        picture
     }
 
     fn look(&self, view: &View, places: impl Iterator<Item = [f64; 2]>) -> Look {

@@ -50,7 +50,7 @@ impl Cache {
 }
 
 /// A file name for inputs: each with its length in front, so that no two lists make one text.
-fn name(inputs: &[&str]) -> String {
+pub fn name(inputs: &[&str]) -> String {
     let mut hash = Sha256::new();
     for input in inputs {
         hash.update((input.len() as u64).to_le_bytes());

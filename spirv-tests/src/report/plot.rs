@@ -107,7 +107,7 @@ where
         let (left, top) = (SIZE.0 as i32 - 236, 24 + 20 * number as i32);
         area.draw(&Text::new(series.label.clone(), (left + 12, top), ("sans-serif", 13)))?;
         // Colors begin anew with another mark.
-        if number / COLORS.len() % 2 == 0 {
+        if (number / COLORS.len()).is_multiple_of(2) {
             chart.draw_series(points.iter().map(|point| Circle::new(*point, 4, color.filled())))?;
             area.draw(&Circle::new((left, top + 7), 4, color.filled()))?;
         } else {

@@ -6,7 +6,7 @@ use super::relief::relief;
 use super::scene::{self, LIGHTS};
 use super::surface::surface;
 use super::tally::{Quantity, Tally};
-use super::truth::{Scenery, Seen};
+use super::truth::{Scenery, Seen, WIDE};
 use super::Error;
 use crate::gap::figure::Figure;
 use crate::imaging::pixel::Pixel;
@@ -51,13 +51,14 @@ pub struct Look {
 }
 
 impl Look {
-    fn of(seen: &Seen<COUNT>, light: usize) -> Self {
+    /// What is seen, under a light.
+    pub fn of(seen: &Seen<COUNT>, light: usize) -> Self {
         let share = seen.share[light];
         Self { color: seen.color, lit: seen.lit[light].map(|channel| channel / share), share }
     }
 
     /// The mean of taps: of what is lit by how much that is.
-    fn shown(taps: &[Shown]) -> Self {
+    pub fn shown(taps: &[Shown]) -> Self {
         let count = taps.len() as f64;
         let share = taps.iter().map(|tap| tap.share).sum::<f64>();
         let mean = |of: &dyn Fn(&Shown, usize) -> f64, weight: f64| {
@@ -113,7 +114,7 @@ impl Row {
 
     /// The same with its standard error over surfaces.
     pub fn figure(&self, method: Method, quantity: Quantity, region: Option<Region>) -> Figure {
-        let surfaces: Vec<(&Tally, &Tally)> = self.methods[method as usize].iter().zip(&self.truth).collect();
+        let surfaces: Vec<(&Tally, &Tally)> = self.methods[method.number()].iter().zip(&self.truth).collect();
         let [figure] = Figure::jackknife(&surfaces, |some| {
             let [shown, truth] = [0, 1].map(|which| {
                 let tallies = some.iter().map(|pair| if which == 0 { pair.0 } else { pair.1 });
@@ -158,7 +159,7 @@ pub fn judge(device: &Device, extent: Extent, done: &(dyn Fn() + Sync)) -> Resul
     for seed in 0..extent.seeds {
         let surface = surface(seed as u32 + 1);
         let relief = relief(&surface);
-        let scenery = Scenery { relief: &relief, map: &reference, pixel: &pixel };
+        let scenery = Scenery { relief: &relief, map: &reference, pixel: &pixel, wide: WIDE };
         for (number, view) in views.iter().enumerate() {
             let half = |half: u64| {
                 let seed = 2 * (seed * views.len() + number) as u64 + half;

@@ -34,7 +34,7 @@ pub fn views([width, height]: [usize; 2]) -> [View; 3] {
     let tangents = |degrees: [f64; 2]| degrees.map(|degrees| degrees.to_radians().tan());
     let satellite = Lens::Satellite { first: 0.3, farther: 100.0 };
     let pinhole = |degrees, last| Lens::Pinhole { tangents: tangents(degrees), last };
-    let view = |name, title, lens| View { name, title, lens, width, height };
+    let view = |name, title, lens| View { name, title, lens, width, height, pan: [0.0; 2] };
     [
         view("grazing", "grazing: the ground from 0.5 to 10 degrees below the horizon", pinhole([0.5, 10.0], 0.7)),
         view("oblique", "oblique: the ground from 12 to 40 degrees below the horizon", pinhole([12.0, 40.0], 0.45)),

@@ -10,7 +10,7 @@ const LIFT: f64 = 1e-6;
 
 /// Ground, in deviations of heights, from which on a pixel takes twice as many strata: the more it sees, the more
 /// different it is.
-const WIDE: f64 = 5.0;
+pub const WIDE: f64 = 5.0;
 
 /// What a pixel sees, under each light.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -47,6 +47,8 @@ pub struct Scenery<'a> {
     pub map: &'a PiecewiseLinear,
     /// How pixels are sampled.
     pub pixel: &'a Pixel,
+    /// Ground from which on a pixel takes twice as many strata an axis: [`WIDE`] for the truth.
+    pub wide: f64,
 }
 
 impl Scenery<'_> {
@@ -64,7 +66,7 @@ impl Scenery<'_> {
         let look = |column: usize, row: usize| {
             let middle = view.middle(column, row);
             let ray = view.ray(middle);
-            let strata = if ray.width(ray.crossing(0.0)) < WIDE { strata } else { 2 * strata };
+            let strata = if ray.width(ray.crossing(0.0)) < self.wide { strata } else { 2 * strata };
             let places = self.pixel.samples(strata, seed, (row * view.width + column) as u64);
             self.look(view, lights, places.map(|[right, down]| [middle[0] + right, middle[1] + down]))
         };
@@ -120,9 +122,9 @@ mod tests {
         let relief = relief(&Waves { waves: vec![wave], period: 8.0 });
         // Black below 0.5, white above.
         let map = PiecewiseLinear { knots: vec![(0.5, [0.0; 4], [1.0; 4])] };
-        let scenery = Scenery { relief: &relief, map: &map, pixel: &Pixel::default() };
+        let scenery = Scenery { relief: &relief, map: &map, pixel: &Pixel::default(), wide: WIDE };
         let lens = Lens::Satellite { first: 5.0, farther: 2.0 };
-        let view = View { name: "", title: "", lens, width: 24, height: 24 };
+        let view = View { name: "", title: "", lens, width: 24, height: 24, pan: [0.0; 2] };
         let tangent = 0.4;
         let light = [1.0, 0.0, tangent].map(|part| part / f64::hypot(1.0, tangent));
         let picture = scenery.picture(&view, &[light], 16, 1, &|| ());

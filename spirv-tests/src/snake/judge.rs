@@ -187,7 +187,7 @@ pub fn judge(device: &Device, extent: Extent, done: &(dyn Fn(u64) + Sync)) -> Re
 }
 
 /// The body with the means of the heights over the texels of a level; None for the level of all heights.
-fn displaced(body: &Body, heights: &MomentMipmap, level: usize) -> Option<Mesh> {
+pub fn displaced(body: &Body, heights: &MomentMipmap, level: usize) -> Option<Mesh> {
     let means: Vec<f32> = heights.levels().get(level)?.texels.iter().step_by(2).copied().collect();
     (level > 0).then(|| body.mesh(&means, level))
 }

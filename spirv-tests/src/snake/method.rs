@@ -6,7 +6,7 @@ use super::skin::{Skin, SIDE};
 use super::Error;
 use crate::imaging::look::Look;
 use crate::imaging::taps::{ALL_TAPS, TAP_DEVIATION};
-use prefilter::gpu::{Address, Device, Kernel, Texture, Work};
+use prefilter::gpu::{Address, Device, Dispatch, Kernel, Texture, Work};
 use prefilter::table::{Format, Table};
 use prefilter::Kernel::Fast;
 use prefilter::{Accuracy, Edge, IrradianceTier, Module, MomentMipmap, Ranges, Scene, SlopeMipmap, SlopeTier, Tier};
@@ -54,7 +54,10 @@ impl Method {
     }
 
     /// The modules that the kernel calls.
-    fn modules(self, material: &Material) -> Result<Vec<Module>, Error> {
+    ///
+    /// # Errors
+    /// Those of the scenes.
+    pub fn modules(self, material: &Material) -> Result<Vec<Module>, Error> {
         let accuracy = Accuracy::default().without_tables();
         let skin = Scene::new("skin").texture(material.green.clone());
         let (values, slopes, light) = match self {
@@ -80,7 +83,11 @@ const SLOPES: Ranges = Ranges { mean: (-2.0, 2.0), deviation: 1.0 };
 
 /// The maps of a skin on a device: the pattern's moments, and slopes with their second table.
 #[derive(Clone, Debug)]
-pub struct Maps([Texture; 3]);
+pub struct Maps {
+    textures: [Texture; 3],
+    /// Bytes of all of them.
+    pub bytes: usize,
+}
 
 impl Maps {
     /// Makes and uploads the pyramids.
@@ -94,8 +101,9 @@ impl Maps {
         let slopes = SlopeMipmap::from_heights(side, side, &skin.heights, texel, Edge::Repeat)?;
         let [slopes, cross] = slopes.tables("slopes", Format::Rgba16Float)?;
         let upload = |table: &Table| device.upload(table, Address::Repeat);
-        let moments = upload(&moments.table("moments", Format::Rg16Float)?)?;
-        Ok(Self([moments, upload(&slopes)?, upload(&cross)?]))
+        let moments = moments.table("moments", Format::Rg16Float)?;
+        let bytes = [&moments, &slopes, &cross].map(Table::bytes).iter().sum();
+        Ok(Self { textures: [upload(&moments)?, upload(&slopes)?, upload(&cross)?], bytes })
     }
 }
 
@@ -123,12 +131,7 @@ impl Renderer {
     /// # Errors
     /// Those of the device.
     pub fn shown(&self, maps: &Maps, known: &[[Option<Known>; ALL_TAPS]]) -> Result<Vec<Look>, Error> {
-        let hits = || known.iter().flatten().flatten();
-        let numbers: Vec<f32> = hits().flat_map(numbers).map(|number| number as f32).collect();
-        let textures: Vec<&Texture> = maps.0.iter().collect();
-        let invocations = hits().count();
-        let work = Work { inputs: &[&numbers], textures: &textures, invocations, output: 8 * invocations };
-        let colors = self.kernel.run(&work)?;
+        let colors = self.prepare(maps, known)?.run()?;
         let mut shown = colors.chunks_exact(8).map(|numbers| {
             let color = std::array::from_fn(|channel| f64::from(numbers[channel]));
             let lit = std::array::from_fn(|channel| f64::from(numbers[4 + channel]) / std::f64::consts::PI);
@@ -140,6 +143,19 @@ impl Renderer {
             Look::mean(&looks)
         });
         Ok(looks.collect())
+    }
+
+    /// The kernel with its inputs, of all taps that see something, to run or to time.
+    ///
+    /// # Errors
+    /// Those of the device.
+    pub fn prepare(&self, maps: &Maps, known: &[[Option<Known>; ALL_TAPS]]) -> Result<Dispatch, Error> {
+        let hits = || known.iter().flatten().flatten();
+        let numbers: Vec<f32> = hits().flat_map(numbers).map(|number| number as f32).collect();
+        let textures: Vec<&Texture> = maps.textures.iter().collect();
+        let invocations = hits().count();
+        let work = Work { inputs: &[&numbers], textures: &textures, invocations, output: 8 * invocations };
+        Ok(self.kernel.prepare(&work)?)
     }
 }
 

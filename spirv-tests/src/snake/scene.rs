@@ -93,6 +93,7 @@ pub fn views([width, height]: [usize; 2], strata: [usize; 3]) -> [View; 3] {
         height: height / enlarged,
         enlarged,
         strata,
+        pan: [0.0; 2],
     };
     let near = View { target: [0.75, -5.7, 2.2], ..view("near", "near: scales", 34.0, 5.2, 1, strata[0]) };
     [

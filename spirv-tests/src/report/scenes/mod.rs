@@ -3,21 +3,41 @@
 //!
 //! Every scene has the same table, a plot of speed against error, and a sheet of pictures with their errors.
 
+pub mod cliffs;
+pub mod demo;
+pub mod frame;
 pub mod measured;
+pub mod moss;
 pub mod noise;
 pub mod pareto;
 pub mod progress;
+pub mod rays;
+pub mod rough;
 pub mod row;
 pub mod sheet;
+pub mod snake;
 
 use super::document::{Item, Section};
 use super::{Bench, Error, Extent};
 use measured::Measured;
 use sheet::View;
 
+/// A demo: the steps of its scenes, and what the report shows of them.
+type Demo = (fn(Extent) -> u64, fn(&Bench<'_>) -> Result<Vec<Item>, Error>);
+
+/// All of them.
+const DEMOS: [Demo; 6] = [
+    (demo::steps, demo::items),
+    (noise::steps, noise::items),
+    (rough::steps, rough::items),
+    (snake::steps, snake::items),
+    (cliffs::steps, cliffs::items),
+    (moss::steps, moss::items),
+];
+
 /// Steps of this part.
 pub fn steps(extent: Extent) -> u64 {
-    noise::steps(extent)
+    DEMOS.iter().map(|(steps, _)| steps(extent)).sum()
 }
 
 /// Measures it.
@@ -26,7 +46,9 @@ pub fn steps(extent: Extent) -> u64 {
 /// Those of scenes and of the device.
 pub fn section(bench: &Bench<'_>) -> Result<Section, Error> {
     let mut items = vec![Item::Text(LEGEND.into())];
-    items.extend(noise::items(bench)?);
+    for (_, demo) in DEMOS {
+        items.extend(demo(bench)?);
+    }
     Ok(Section { stem: "scenes".into(), title: "The examples' scenes, side by side".into(), items })
 }
 

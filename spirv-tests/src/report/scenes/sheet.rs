@@ -52,7 +52,9 @@ impl Panel {
 pub fn sheet(stem: &str, caption: &str, views: &[View]) -> document::Sheet {
     let width = views.iter().flat_map(View::widths).max().unwrap_or(0);
     let most = views.iter().map(|view| view.panels.len()).max().unwrap_or(0);
-    let columns = ((WIDTH - 2 * MARGIN + GAP) / (width + GAP)).clamp(1, most.max(1));
+    // As many rows as it takes, and all as long.
+    let rows = most.div_ceil(((WIDTH - 2 * MARGIN + GAP) / (width + GAP)).max(1));
+    let columns = most.div_ceil(rows.max(1)).max(1);
     let across = (columns * (width + GAP) - GAP).max(titles(views)).max(Letters::Small.width(SCALE) + 330);
     let down: usize = views.iter().map(|view| view.height(columns)).sum();
     let mut canvas = Canvas::new(2 * MARGIN + across, 2 * MARGIN + down + LINE, PAPER);
