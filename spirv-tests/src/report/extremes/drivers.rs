@@ -1,0 +1,235 @@
+//! Drivers in hard cases: the mean that they find, against the truth.
+
+use std::f64::consts::TAU;
+
+use prefilter::gpu::{Address, Device};
+use prefilter::reference::cosines;
+use prefilter::reference::crossing::line;
+use prefilter::reference::footprint::deviations;
+use prefilter::reference::gabor_spectrum::Spectrum as Ranges;
+use prefilter::reference::moments::{Beyond, Image};
+use prefilter::reference::pulse::Footprint as Pulse;
+use prefilter::reference::retained::Noise as Retained;
+use prefilter::reference::{gabor, perlin};
+use prefilter::table::Format;
+use prefilter::{ColorMap, Cosines, Driver, Edge, Gabor, MomentMipmap, Motif, Noise, Pattern, Scene, Spectrum, Wave};
+
+use super::cases::Case;
+use super::footprints::Footprint;
+use super::outcome::Outcome;
+use crate::exports::ExportKernel;
+use crate::kernel::Function;
+
+/// What knows a footprint.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Source {
+    /// One octave of Perlin's noise, whose filter is that of its model.
+    Noise,
+    /// Solid Gabor noise.
+    Gabor,
+    /// Stripes.
+    Pattern,
+    /// Three waves.
+    Cosines,
+    /// The pyramid of an image.
+    Moments,
+}
+
+/// The share of stripes, and that of narrow ones.
+const DUTIES: [f32; 2] = [0.3, 1.0 / 256.0];
+
+/// The side of a cell of Gabor noise.
+const CELL: f64 = 0.8;
+
+/// The variance of one octave of Perlin's noise.
+const PERLIN: f64 = 0.046_531_150_4;
+
+/// Texels of a side of the image.
+const SIDE: usize = 32;
+
+impl Source {
+    /// All of them, in the report's order.
+    pub const ALL: [Self; 5] = [Self::Noise, Self::Gabor, Self::Pattern, Self::Cosines, Self::Moments];
+
+    /// Its name in tables.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Noise => "noise",
+            Self::Gabor => "gabor",
+            Self::Pattern => "pattern",
+            Self::Cosines => "cosines",
+            Self::Moments => "moments",
+        }
+    }
+
+    /// Whether a case has a meaning: no driver has a view, noise and waves have no edges and no stripes, and only
+    /// pyramids hold halves.
+    pub fn meets(self, case: Case) -> bool {
+        match case {
+            Case::BelowHorizon => false,
+            Case::HardEdges | Case::Stripes => matches!(self, Self::Pattern | Self::Moments),
+            Case::HalfTables => self == Self::Moments,
+            Case::Grazing
+            | Case::NoDeviation
+            | Case::HugeDeviation
+            | Case::NearSingular
+            | Case::WideFootprints
+            | Case::Denormals
+            | Case::FarFromOrigin => true,
+        }
+    }
+
+    fn driver(self, case: Case) -> Option<Driver> {
+        Some(match self {
+            Self::Noise => Driver::Noise(Noise { octaves: 1, mean: 0.0, deviation: 1.0, ..Noise::default() }),
+            Self::Gabor => {
+                let spectrum = Spectrum::Isotropic { frequency: 1.3 };
+                Driver::Gabor(Gabor { spectrum, mean: 0.0, deviation: 1.0, ..Gabor::default() })
+            }
+            Self::Pattern => {
+                Driver::Pattern(Pattern { motif: Motif::Stripes { duty: duty(case) }, ..Pattern::default() })
+            }
+            Self::Cosines => Driver::Cosines(Cosines { waves: waves(), mean: 0.0, ..Cosines::default() }),
+            Self::Moments => return None,
+        })
+    }
+
+    /// How far a mean may be from 0: the hull of what there is.
+    fn hull(self) -> [f64; 2] {
+        match self {
+            // A corner of a cell has a line of slope 1, four of them up to 1 in all; of deviations.
+            Self::Noise => [-1.0 / PERLIN.sqrt(), 1.0 / PERLIN.sqrt()],
+            Self::Gabor => [f64::MIN, f64::MAX],
+            Self::Pattern | Self::Moments => [0.0, 1.0],
+            Self::Cosines => {
+                let most = waves().iter().map(|wave| f64::from(wave.amplitude)).sum::<f64>() * (1.0 + 1e-6);
+                [-most, most]
+            }
+        }
+    }
+
+    fn truth(self, case: Case, footprint: &Footprint) -> f64 {
+        let Footprint { position, across, along } = footprint;
+        let [x, y, _] = *position;
+        match self {
+            Self::Noise => {
+                // Narrower ones keep, and wider ones lose, all but 1e-5.
+                let kept = deviations(footprint.covariance()).map(|deviation| deviation.clamp(1e-3, 30.0));
+                perlin::noise([x, y], [0; 2], 0) * Retained::Perlin.filter(kept)[0] / PERLIN.sqrt()
+            }
+            Self::Gabor => {
+                let spectrum = Ranges { frequency: [1.3f32.into(), 0.0], azimuth: [0.0, TAU], height: [-1.0, 2.0] };
+                let spectrum = Ranges { frequency: spectrum.frequency.map(|part| part * CELL), ..spectrum };
+                let cells = position.map(|part| f64::from(part as f32 * 1.25));
+                let scaled = [across, along].map(|vector| vector.map(|part| part / CELL));
+                gabor::noise(cells, Gabor::default().kernels, Gabor::default().seed, &spectrum, scaled).0
+            }
+            Self::Pattern => {
+                let (duty, deviation) = (f64::from(duty(case)), across[0].hypot(along[0]));
+                match deviation {
+                    narrow if narrow < 1e-12 => f64::from(u8::from(x - x.floor() < duty)),
+                    narrow if narrow < 1.2 => Pulse::Gaussian(narrow).train(x, duty),
+                    wide => line(x, duty, wide),
+                }
+            }
+            Self::Cosines => {
+                let waves: Vec<cosines::Wave> = waves().into_iter().map(exact).collect();
+                let flat = |[x, y, _]: [f64; 3]| [x, y];
+                cosines::surface(&waves, [x, y], flat(*across), flat(*along)).mean
+            }
+            Self::Moments => f64::NAN,
+        }
+    }
+}
+
+fn duty(case: Case) -> f32 {
+    DUTIES[usize::from(case == Case::Stripes)]
+}
+
+fn waves() -> Vec<Wave> {
+    let wave = |frequency, amplitude, phase| Wave { frequency, amplitude, phase };
+    vec![wave([0.8, 0.1], 0.2, 0.3), wave([-1.7, 2.3], 0.1, 0.7), wave([0.3, -0.6], 0.15, 0.05)]
+}
+
+fn exact(wave: Wave) -> cosines::Wave {
+    let Wave { frequency, amplitude, phase } = wave;
+    cosines::Wave { frequency: frequency.map(f64::from), amplitude: amplitude.into(), phase: phase.into() }
+}
+
+/// Measures a driver in every case that has a meaning for it, each over so many footprints.
+///
+/// # Errors
+/// A message where a scene or an image cannot be made, or the device refuses it.
+pub fn outcomes(device: &Device, source: Source, count: usize) -> Result<Vec<Outcome>, String> {
+    let cases = Case::ALL.into_iter().filter(|case| source.meets(*case));
+    cases
+        .map(
+            |case| {
+                if source == Source::Moments {
+                    read(device, case, count)
+                } else {
+                    driven(device, source, case, count)
+                }
+            },
+        )
+        .collect()
+}
+
+/// A driver by its statistics.
+fn driven(device: &Device, source: Source, case: Case, count: usize) -> Result<Outcome, String> {
+    let failed = |error: prefilter::Error| format!("{}: {error}", source.name());
+    let driver = source.driver(case).ok_or("no driver")?;
+    let map = ColorMap::gradient([(0.0, [0.0; 3]), (1.0, [1.0; 3])]).map_err(failed)?;
+    let module = Scene::new("hard").texture(map).driver(driver).module().map_err(failed)?;
+    let export = module.exports().iter().find(|export| export.name.ends_with("_statistics")).ok_or("no statistics")?;
+    let edge = (source == Source::Pattern).then(|| f64::from(duty(case)));
+    let footprints = Footprint::all(case, edge, count);
+    let dimensions = if source == Source::Gabor { 3 } else { 2 };
+    let numbers: Vec<f32> = footprints.iter().flat_map(|footprint| footprint.numbers(dimensions)).collect();
+    let found = ExportKernel::new(device, &module, export).and_then(|kernel| kernel.run(&numbers)).map_err(failed)?;
+    let mut outcome = Outcome::new(source.name(), case, None);
+    let [low, high] = source.hull();
+    for (footprint, [mean, variance, ..]) in footprints.iter().zip(found) {
+        let mean = f64::from(mean);
+        let sound = (low..=high).contains(&mean) && mean.is_finite() && variance.is_finite() && variance >= 0.0;
+        outcome.count(footprint, sound);
+        outcome.judge(footprint, &[mean], &[source.truth(case, footprint)], false);
+    }
+    Ok(outcome)
+}
+
+/// The pyramid of an image, which repeats: a wavy one, two halves, or a column of one texel.
+fn read(device: &Device, case: Case, count: usize) -> Result<Outcome, String> {
+    let value = |x: usize, y: usize| match case {
+        Case::HardEdges => f32::from(u8::from(x < SIDE / 2)),
+        Case::Stripes => f32::from(u8::from(x == SIDE / 2)),
+        _ => (0.5 + 0.3 * (0.7 * x as f32).sin() * (0.4 * y as f32).cos() + 0.15 * (1.9 * (x + y) as f32).sin())
+            .clamp(0.0, 1.0),
+    };
+    let values: Vec<f32> = (0..SIDE * SIDE).map(|at| value(at % SIDE, at / SIDE)).collect();
+    let format = if case == Case::HalfTables { Format::Rg16Float } else { Format::Rg32Float };
+    let side = SIDE as u32;
+    let table = MomentMipmap::new(side, side, &values, Edge::Repeat).and_then(|image| image.table("moments", format));
+    let table = table.map_err(|error| error.to_string())?;
+    let texture = device.upload(&table, Address::Repeat).map_err(|error| error.to_string())?;
+    let values = values.into_iter().map(f64::from).collect();
+    let image = Image { width: SIDE, height: SIDE, values, beyond: Beyond::Repeat };
+    let texels: Vec<[f64; 2]> = (0..SIDE * SIDE).map(|at| image.over_texel(at % SIDE, at / SIDE)).collect();
+    let footprints = Footprint::all(case, Some(0.5), count);
+    let scale = (SIDE * SIDE) as f64;
+    let point = |footprint: &Footprint| {
+        let covariance = footprint.covariance().map(|part| scale * part);
+        [&footprint.position[..2], &covariance].concat().into_iter().map(|part| f64::from(part as f32)).collect()
+    };
+    let points: Vec<Vec<f64>> = footprints.iter().map(point).collect();
+    let found = Function::of_shelf("moments_read")?.results(device, &[&texture], &points)?;
+    let mut outcome = Outcome::new(Source::Moments.name(), case, None);
+    let slack = if case == Case::HalfTables { 5e-4 } else { 0.0 };
+    for (point, found) in points.iter().zip(found) {
+        let [mean, deviation] = found[..] else { return Err("`moments_read` returns two numbers".into()) };
+        outcome.count(point, (-slack..=1.0 + slack).contains(&mean) && (0.0..=0.5 + slack).contains(&deviation));
+        let [truth, _] = image.read(&texels, [point[0], point[1]], [point[2], point[3], point[4]]);
+        outcome.judge(point, &[mean], &[truth], false);
+    }
+    Ok(outcome)
+}
