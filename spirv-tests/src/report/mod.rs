@@ -2,6 +2,7 @@
 
 pub mod accuracy;
 pub mod cache;
+pub mod costs;
 pub mod csv;
 pub mod document;
 pub mod extremes;
@@ -66,11 +67,14 @@ pub enum Part {
     Extremes,
     /// How long scenes take to become modules and tables.
     Generation,
+    /// Closed forms, tables and mixtures, and the weights by which tiers are chosen.
+    Costs,
 }
 
 impl Part {
     /// All of them, in the report's order.
-    pub const ALL: [Self; 5] = [Self::Filters, Self::Scenes, Self::Accuracy, Self::Extremes, Self::Generation];
+    pub const ALL: [Self; 6] =
+        [Self::Filters, Self::Scenes, Self::Accuracy, Self::Extremes, Self::Generation, Self::Costs];
 
     /// Its name, as on the command line.
     pub fn name(self) -> &'static str {
@@ -80,6 +84,7 @@ impl Part {
             Self::Accuracy => "accuracy",
             Self::Extremes => "extremes",
             Self::Generation => "generation",
+            Self::Costs => "costs",
         }
     }
 
@@ -91,6 +96,7 @@ impl Part {
             Self::Accuracy => accuracy::steps(extent),
             Self::Extremes => extremes::steps(extent),
             Self::Generation => generation::steps(extent),
+            Self::Costs => costs::steps(extent),
         }
     }
 
@@ -105,6 +111,7 @@ impl Part {
             Self::Accuracy => accuracy::section(bench),
             Self::Extremes => extremes::section(bench),
             Self::Generation => generation::section(bench),
+            Self::Costs => costs::section(bench),
         }
     }
 }
