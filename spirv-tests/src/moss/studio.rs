@@ -15,6 +15,7 @@ use crate::imaging::waves::Waves;
 use prefilter::gpu::Device;
 use prefilter::reference::texture::PiecewiseLinear;
 use prefilter::TransferTier;
+use std::cell::OnceCell;
 
 /// A surface, and the methods that color it.
 #[derive(Clone, Debug)]
@@ -33,7 +34,8 @@ pub struct Noise<'a> {
     /// The surface over any noise.
     pub studio: &'a Studio,
     waves: Waves,
-    relief: Relief,
+    /// Made when rays are shot at it.
+    relief: OnceCell<Relief>,
 }
 
 /// What is seen of a view.
@@ -74,9 +76,7 @@ impl Studio {
 
     /// The surface over the noise of a seed.
     pub fn noise(&self, seed: u32) -> Noise<'_> {
-        let waves = scene::waves(seed);
-        let relief = scene::relief(&waves, &self.material.curve);
-        Noise { studio: self, waves, relief }
+        Noise { studio: self, waves: scene::waves(seed), relief: OnceCell::new() }
     }
 }
 
@@ -93,8 +93,9 @@ impl Noise<'_> {
 
     /// What the truth shoots rays at.
     pub fn scenery(&self) -> Scenery<'_> {
-        let Studio { map, pixel, .. } = self.studio;
-        Scenery { log: LOG, relief: &self.relief, range: self.range(), map, sun: scene::sun(), pixel }
+        let Studio { map, pixel, material, .. } = self.studio;
+        let relief = self.relief.get_or_init(|| scene::relief(&self.waves, &material.curve));
+        Scenery { log: LOG, relief, range: self.range(), map, sun: scene::sun(), pixel }
     }
 
     /// What is known of every pixel of a view.

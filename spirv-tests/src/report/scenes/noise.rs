@@ -17,7 +17,7 @@ use crate::report::{Bench, Error, Extent};
 const FULL: Amount = Amount {
     still: [[48, 36], [108, 46]],
     moving: [[48, 36], [72, 30]],
-    frames: 12,
+    frames: 8,
     strata: [32, 16],
     seeds: 4,
     moved: BRUTE.len(),

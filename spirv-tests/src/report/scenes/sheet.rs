@@ -90,7 +90,8 @@ fn titles(views: &[View]) -> usize {
 
 impl View {
     fn widths(&self) -> impl Iterator<Item = usize> + '_ {
-        let width = |panel: &Panel| (panel.picture.width * self.enlarged).max(Letters::Small.width(&panel.caption));
+        let width =
+            |panel: &Panel| (panel.picture.width * self.enlarged).max(Letters::Small.width(&panel.caption) + GAP);
         self.panels.iter().map(width)
     }
 
@@ -128,7 +129,7 @@ mod tests {
         let picture = Picture { width: 4, height: 2, pixels: vec![[0.5; 3]; 8] };
         let panel = Panel::new("a method with a long name", 0.125, picture.clone(), vec![0.1; 8]);
         let panels = vec![panel.clone(), panel.clone(), panel, Panel::truth(picture)];
-        let width = Letters::Small.width("a method with a long name: 0.125");
+        let width = Letters::Small.width("a method with a long name: 0.125") + GAP;
         let view = View { title: "a view".into(), enlarged: 1, panels };
         let made = sheet("made", "Made up.", &[view]);
         assert_eq!(made.canvas.size().width as usize, 2 * MARGIN + 4 * (width + GAP) - GAP);
