@@ -166,7 +166,8 @@ pub fn link(modules: &[&Module], text: &str) -> Result<Shader, Error> {
     }
     let path = "shader.wgsl";
     let linked = prefilter_wgsl::link(&whole).map_err(|collision| Error::Collision { path: path.into(), collision })?;
-    modules.iter().try_for_each(|module| hides_nothing(path, text, module))?;
+    let own = prefilter_wgsl::declarations(text);
+    modules.iter().try_for_each(|module| hides_nothing(path, &own, module))?;
     Shader::new(path, linked)
 }
 
@@ -187,19 +188,30 @@ fn shares_nothing(module: &Module, other: &Module) -> Result<(), Error> {
 
 /// Adds the declarations of a text whose names are not declared yet.
 fn add_foreign(whole: &mut String, text: &str) {
+    if text.is_empty() {
+        return;
+    }
+    let mut known: BTreeSet<String> =
+        prefilter_wgsl::declarations(whole).into_iter().map(|known| known.name.to_owned()).collect();
     for declaration in prefilter_wgsl::declarations(text) {
-        if !prefilter_wgsl::declarations(whole).iter().any(|known| known.name == declaration.name) {
+        if known.insert(declaration.name.to_owned()) {
             whole.push_str(&format!("\n{}\n", declaration.text));
         }
     }
 }
 
 /// Refuses a text that declares a built-in which a module uses: the module would call the text's.
-fn hides_nothing(path: &str, text: &str, module: &Module) -> Result<(), Error> {
+fn hides_nothing(path: &str, own: &[prefilter_wgsl::Declaration<'_>], module: &Module) -> Result<(), Error> {
+    if !own
+        .iter()
+        .any(|declaration| written(&module.glue, declaration.name) || written(&module.foreign, declaration.name))
+    {
+        return Ok(());
+    }
     let glue = [prefilter_wgsl::declarations(&module.glue), prefilter_wgsl::declarations(&module.foreign)].concat();
     let used: BTreeSet<&str> = glue.iter().flat_map(|declaration| declaration.free()).collect();
     let built_in = |name: &str| used.contains(name) && !glue.iter().any(|declaration| declaration.name == name);
-    match prefilter_wgsl::declarations(text).into_iter().find(|declaration| built_in(declaration.name)) {
+    match own.iter().find(|declaration| built_in(declaration.name)) {
         None => Ok(()),
         Some(prefilter_wgsl::Declaration { name, line, column, .. }) => {
             let user = &module.name;
@@ -209,6 +221,13 @@ fn hides_nothing(path: &str, text: &str, module: &Module) -> Result<(), Error> {
             })
         }
     }
+}
+
+/// Whether a text has a name, were it in a comment.
+fn written(text: &str, name: &str) -> bool {
+    let part = |letter: Option<char>| letter.is_some_and(|letter| letter.is_alphanumeric() || letter == '_');
+    let mut places = text.match_indices(name);
+    places.any(|(at, _)| !part(text[..at].chars().next_back()) && !part(text[at + name.len()..].chars().next()))
 }
 
 /// naga's message with the nearest name of the text or the shelf below an unknown one.

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 use std::sync::OnceLock;
 
-use crate::scan::{self, Declaration};
+use crate::scan::{self, Declaration, Scan};
 use crate::{File, FILES};
 
 /// A declaration of a text that would change what the shelf means.
@@ -83,11 +83,13 @@ fn shelf() -> &'static Shelf {
 /// The first [`Collision`], where the text declares a name of the shelf, or a name that hides a built-in function or
 /// type from the shelf declarations that it needs.
 pub fn link(text: &str) -> Result<String, Collision> {
-    if let Some(collision) = collisions(text).into_iter().next() {
+    let scan = Scan::new(text);
+    let needed = needed(&scan);
+    if let Some(collision) = collisions_with(&scan, &needed).into_iter().next() {
         return Err(collision);
     }
     let mut linked = text.to_owned();
-    for (_, declaration) in mentioned(text) {
+    for Entry { declaration, .. } in needed {
         if !linked.is_empty() && !linked.ends_with('\n') {
             linked.push('\n');
         }
@@ -100,13 +102,13 @@ pub fn link(text: &str) -> Result<String, Collision> {
 
 /// Every shelf declaration that a text needs, with the path of its file, in shelf order.
 pub fn mentioned(text: &str) -> Vec<(&'static str, &'static Declaration<'static>)> {
-    needed(text).into_iter().map(|entry| (entry.file.path, &entry.declaration)).collect()
+    needed(&Scan::new(text)).into_iter().map(|entry| (entry.file.path, &entry.declaration)).collect()
 }
 
 /// The shelf declarations that a text mentions, directly or through one another, in shelf order.
-fn needed(text: &str) -> Vec<&'static Entry> {
+fn needed(text: &Scan<'_>) -> Vec<&'static Entry> {
     let shelf = shelf();
-    let mut open: Vec<usize> = scan::mentions(text).filter_map(|name| shelf.index.get(name).copied()).collect();
+    let mut open: Vec<usize> = text.mentions().filter_map(|name| shelf.index.get(name).copied()).collect();
     let mut needed = BTreeSet::new();
     while let Some(number) = open.pop() {
         if needed.insert(number) {
@@ -119,8 +121,12 @@ fn needed(text: &str) -> Vec<&'static Entry> {
 /// Every declaration of a text that bears a name of the shelf or hides a built-in from what the text needs of it, in
 /// the text's order.
 pub fn collisions(text: &str) -> Vec<Collision> {
+    let scan = Scan::new(text);
+    collisions_with(&scan, &needed(&scan))
+}
+
+fn collisions_with(text: &Scan<'_>, needed: &[&'static Entry]) -> Vec<Collision> {
     let shelf = shelf();
-    let needed = needed(text);
     let collision = |declaration: Declaration<'_>| {
         let declared = shelf.index.get(declaration.name).map(|&number| &shelf.entries[number]);
         let hidden = || needed.iter().copied().find(|entry| entry.built_ins.contains(declaration.name));
@@ -134,7 +140,7 @@ pub fn collisions(text: &str) -> Vec<Collision> {
             replaced_in: declared.is_none().then_some(entry.declaration.name),
         })
     };
-    scan::declarations(text).into_iter().filter_map(collision).collect()
+    text.declarations().into_iter().filter_map(collision).collect()
 }
 
 /// The name of the shelf or of a declaration of the text that a misspelled name most resembles, if one is near: at most

@@ -62,43 +62,73 @@ impl<'a> Declaration<'a> {
 
 /// The declarations at module scope of a WGSL text, in order.
 pub fn declarations(text: &str) -> Vec<Declaration<'_>> {
-    let tokens = tokens(text);
-    let mut found = Vec::new();
-    let mut next = 0;
-    let mut start = None; // of the comments and attributes that belong to the next declaration
-    let mut attributed = false; // whether an attribute is among them: only comments are cut off by an empty line
-    let mut end = 0; // of the last token
-    while let Some(token) = tokens.get(next) {
-        let gap = &text[end..token.range.start];
-        if gap.matches('\n').count() > 1 && !attributed {
-            start = None;
-        }
-        let trailing = token.kind == TokenKind::Comment && end > 0 && !gap.contains('\n') && start.is_none();
-        if !trailing {
-            start.get_or_insert(token.range.start);
-        }
-        let mut last = next;
-        match (keyword(&text[token.range.clone()]), token.kind) {
-            (Some(kind), TokenKind::Word) => {
-                let extent = extent(&tokens, next, kind);
-                last = extent.last;
-                found.extend(declaration(text, &tokens, start.unwrap_or(token.range.start), &extent, kind));
-                (start, attributed) = (None, false);
-            }
-            (_, TokenKind::Mark(b';')) => (start, attributed) = (None, false),
-            (_, TokenKind::Comment) => {}
-            _ => attributed = true,
-        }
-        end = tokens[last].range.end;
-        next = last + 1;
-    }
-    found
+    Scan::new(text).declarations()
 }
 
 /// The names that a text mentions outside comments, members and attributes aside.
 pub fn mentions(text: &str) -> impl Iterator<Item = &str> {
+    words(text, tokens(text).into_iter())
+}
+
+/// A text with its tokens, for those who ask it several questions.
+pub struct Scan<'a> {
+    text: &'a str,
+    tokens: Vec<Token>,
+}
+
+impl<'a> Scan<'a> {
+    /// The text's tokens.
+    pub fn new(text: &'a str) -> Self {
+        Self { text, tokens: tokens(text) }
+    }
+
+    /// As [`mentions`].
+    pub fn mentions(&self) -> impl Iterator<Item = &'a str> + '_ {
+        words(self.text, self.tokens.iter().cloned())
+    }
+
+    /// As [`declarations`].
+    pub fn declarations(&self) -> Vec<Declaration<'a>> {
+        let Self { text, tokens } = self;
+        let mut found = Vec::new();
+        let mut next = 0;
+        let mut start = None; // of the comments and attributes that belong to the next declaration
+        let mut attributed = false; // whether an attribute is among them: only comments are cut off by an empty line
+        let mut end = 0; // of the last token
+        let mut place = (1, 0); // a line and where it is known to be
+        while let Some(token) = tokens.get(next) {
+            let gap = &text[end..token.range.start];
+            if gap.matches('\n').count() > 1 && !attributed {
+                start = None;
+            }
+            let trailing = token.kind == TokenKind::Comment && end > 0 && !gap.contains('\n') && start.is_none();
+            if !trailing {
+                start.get_or_insert(token.range.start);
+            }
+            let mut last = next;
+            match (keyword(&text[token.range.clone()]), token.kind) {
+                (Some(kind), TokenKind::Word) => {
+                    let extent = extent(tokens, next, kind);
+                    last = extent.last;
+                    let start = start.take().unwrap_or(token.range.start);
+                    found.extend(declaration(text, tokens, start, &extent, kind, &mut place));
+                    attributed = false;
+                }
+                (_, TokenKind::Mark(b';')) => (start, attributed) = (None, false),
+                (_, TokenKind::Comment) => {}
+                _ => attributed = true,
+            }
+            end = tokens[last].range.end;
+            next = last + 1;
+        }
+        found
+    }
+}
+
+/// The names among tokens, members and attributes aside.
+fn words(text: &str, tokens: impl Iterator<Item = Token>) -> impl Iterator<Item = &str> {
     let mut before = b' ';
-    tokens(text).into_iter().filter_map(move |token| match token.kind {
+    tokens.filter_map(move |token| match token.kind {
         TokenKind::Comment => None,
         TokenKind::Mark(mark) => {
             before = mark;
@@ -185,21 +215,24 @@ fn extent(tokens: &[Token], first: usize, kind: Kind) -> Extent {
     Extent { first, name, head_end: head_end.unwrap_or(tokens.len()), last: tokens.len() - 1 }
 }
 
-/// The declaration of an extent, if it has a name; `start` is where its comments and attributes begin.
+/// The declaration of an extent, if it has a name; `start` is where its comments and attributes begin, and `place` the
+/// number of a line and a place on it, before the declaration and then in it.
 fn declaration<'a>(
     text: &'a str,
     tokens: &[Token],
     start: usize,
     extent: &Extent,
     kind: Kind,
+    place: &mut (usize, usize),
 ) -> Option<Declaration<'a>> {
     let name = tokens[extent.name?].range.clone();
     let line_start = text[..name.start].rfind('\n').map_or(0, |at| at + 1);
+    *place = (place.0 + text[place.1..name.start].matches('\n').count(), name.start);
     Some(Declaration {
         name: &text[name.clone()],
         kind,
         text: &text[start..tokens[extent.last].range.end],
-        line: text[..name.start].matches('\n').count() + 1,
+        line: place.0,
         column: text[line_start..name.start].chars().count() + 1,
         signature: signature(text, &tokens[extent.first..extent.head_end]),
     })
