@@ -50,12 +50,21 @@ pub struct Along {
     pub deviation: f64,
 }
 
-/// The probability between two values of a standard normal variable, a ≤ b.
-fn between(a: f64, b: f64) -> f64 {
+/// A value of a standard normal variable, with the probability of one farther from 0 on its side.
+type End = (f64, f64);
+
+fn end(at: f64) -> End {
+    (at, cumulative(-at.abs()))
+}
+
+/// The probability between two values, a ≤ b.
+fn between((a, below): End, (b, above): End) -> f64 {
     if a > 0.0 {
-        cumulative(-a) - cumulative(-b)
+        below - above
+    } else if b > 0.0 {
+        (1.0 - above) - below
     } else {
-        cumulative(b) - cumulative(a)
+        above - below
     }
 }
 
@@ -86,9 +95,14 @@ impl Transferred {
         let inner = breaks.iter().map(|at| (at - mean) / deviation).filter(|at| at.abs() < FAR);
         let mut ends: Vec<f64> = even.chain(inner).collect();
         ends.sort_by(f64::total_cmp);
-        let pairs = ends.windows(2).map(|pair| [pair[0], pair[1]]).filter(|pair| pair[0] < pair[1]);
-        let all = between(-FAR, FAR);
-        let parts = pairs.map(|[a, b]| part(mean + deviation * 0.5 * (a + b), between(a, b) / all));
+        ends.dedup();
+        let ends: Vec<End> = ends.into_iter().map(end).collect();
+        let all = between(end(-FAR), end(FAR));
+        let part = |pair: &[End]| {
+            let middle = 0.5 * (pair[0].0 + pair[1].0);
+            part(mean + deviation * middle, between(pair[0], pair[1]) / all)
+        };
+        let parts = ends.windows(2).map(part);
         Self { parts: parts.collect() }
     }
 

@@ -9,6 +9,9 @@ pub(super) const FLAT: Axis = Axis { low: 0.0, high: 1.0, count: 1, spacing: Spa
 /// Parts of the judged columns, so that those beyond the axis are judged too.
 const EVEN: u32 = 64;
 
+/// Lines next to each other of which the worst place stands for all.
+const GROUP: usize = 4;
+
 /// The axes of a table's columns, rows and slices.
 #[derive(Clone, Copy)]
 pub(super) struct Lattice(pub [Axis; 3]);
@@ -50,8 +53,8 @@ impl Lattice {
     }
 
     /// The largest difference between a filtered read and the color: on the first and the last row, between rows and on
-    /// the least, over the centers of all cells of columns, where the color `bends`, and even places. `near`
-    /// finds the worst place of each line, on which `truth` has the last word.
+    /// the least, over the centers of all cells of columns, where the color `bends`, and even places. `near` finds the
+    /// worst place of a few lines next to each other, on which `truth` has the last word.
     pub(super) fn error(
         self,
         texels: &[f32],
@@ -72,13 +75,26 @@ impl Lattice {
             let read = self.filtered(texels, [at, line, third]);
             read.iter().zip(truth).map(|(read, truth)| (read - truth).abs()).fold(0.0, f64::max)
         };
-        let worst = |line: usize| {
-            let line = lines[line];
-            let errors = places.iter().map(|&at| (error(at, line, near(at, line)), at));
-            let (_, at) = errors.fold((0.0, low), |worst, next| if next.0 > worst.0 { next } else { worst });
+        let groups: Vec<&[f64]> = lines.chunks(GROUP).collect();
+        let worst = |group: usize| {
+            let places = groups[group].iter().flat_map(|&line| places.iter().map(move |&at| (at, line)));
+            let errors = places.map(|(at, line)| (error(at, line, near(at, line)), at, line));
+            let (_, at, line) = errors.fold((0.0, low, least), |one, next| if next.0 > one.0 { next } else { one });
             vec![error(at, line, truth(at, line)) as f32]
         };
-        rows(lines.len(), worst).into_iter().fold(0.0, f32::max)
+        rows(groups.len(), worst).into_iter().fold(0.0, f32::max)
+    }
+
+    /// The texels of all columns and rows as they are read at a slice's value.
+    pub(super) fn slice(self, texels: &[f32], third: f64) -> Vec<[f64; 4]> {
+        let Self([columns, lines, slices]) = self;
+        let (length, number) = (4 * columns.count * lines.count, slices.number(third));
+        let [low, high] = [number.floor(), number.ceil()].map(|slice| &texels[slice as usize * length..][..length]);
+        let between = |(low, high): (&[f32], &[f32])| {
+            let of = |channel: usize| [low, high].map(|texel| f64::from(texel[channel]));
+            std::array::from_fn(|channel| of(channel)[0] + number.fract() * (of(channel)[1] - of(channel)[0]))
+        };
+        low.chunks_exact(4).zip(high.chunks_exact(4)).map(between).collect()
     }
 
     /// What a filtering sampler returns at a column's, a row's and a slice's value.
@@ -93,6 +109,9 @@ impl Lattice {
                 weight *= if far == 1 { fraction } else { 1.0 - fraction };
                 index = index * self.0[axis].count + (numbers[axis] as usize + far).min(self.0[axis].count - 1);
             }
+            if weight == 0.0 {
+                continue;
+            }
             for (channel, total) in sum.iter_mut().enumerate() {
                 *total += weight * f64::from(texels[4 * index + channel]);
             }
@@ -103,8 +122,18 @@ impl Lattice {
 
 /// The value as a half stores it.
 pub(super) fn half_rounded(value: f64) -> f32 {
-    half::f16::from_f64(value).to_f32()
+    if !(value.abs() < LARGEST) {
+        return half::f16::from_f64(value).to_f32();
+    }
+    // Next to a number 2⁴² times as large there is no room for more than the ten bits behind a half's first; subnormal
+    // halves are as far apart as the smallest normal ones.
+    let exponent = (value.to_bits() >> 52 & 0x7ff).max(1023 - 14);
+    let large = f64::from_bits((exponent + 42) << 52).copysign(value);
+    ((value + large) - large) as f32
 }
+
+/// The largest half.
+const LARGEST: f64 = 65504.0;
 
 /// The results of all rows in order, on as many threads as the machine has.
 pub(super) fn rows(count: usize, row: impl Fn(usize) -> Vec<f32> + Sync) -> Vec<f32> {
@@ -123,4 +152,30 @@ pub(super) fn rows(count: usize, row: impl Fn(usize) -> Vec<f32> + Sync) -> Vec<
         }
     });
     results.concat()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn values_become_the_nearest_half() {
+        let half = |bits: u16| half::f16::from_bits(bits).to_f32();
+        for bits in 0..0x7bff {
+            let [low, high] = [half(bits), half(bits + 1)];
+            let middle = 0.5 * (f64::from(low) + f64::from(high));
+            let even = if bits % 2 == 0 { low } else { high };
+            for (value, nearest) in
+                [(low.into(), low), (middle.next_down(), low), (middle, even), (middle.next_up(), high)]
+            {
+                assert_eq!(half_rounded(value), nearest, "{value:e}");
+                assert_eq!(half_rounded(-value), -nearest, "{value:e}");
+            }
+        }
+        assert!(half_rounded(f64::NAN).is_nan());
+        assert_eq!(
+            [65504.0, 65519.0, 65520.0, -1e6].map(half_rounded),
+            [65504.0, 65504.0, f32::INFINITY, f32::NEG_INFINITY]
+        );
+    }
 }

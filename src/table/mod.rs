@@ -3,6 +3,7 @@
 pub(crate) mod bake;
 pub mod grid;
 mod lattice;
+mod layers;
 pub(crate) mod learned;
 pub(crate) mod power;
 pub(crate) mod rice;

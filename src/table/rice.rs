@@ -9,8 +9,11 @@ use crate::reference::quadrature::integrate;
 use crate::reference::steepness::rice_mean;
 use crate::reference::texture::PiecewiseLinear;
 
-/// Beyond this many deviations lies less than 1e-9 of a distribution.
-const FAR: f64 = 6.0;
+/// Beyond this many deviations lies less than 1e-7 of a distribution.
+const FAR: f64 = 5.5;
+
+/// From so many deviations between 0 and the center on, the mean length is its series to 2e-6 deviations.
+const SERIES: f64 = 10.0;
 
 /// A map, the axes of its table, and what the table is judged over.
 #[derive(Clone, Copy)]
@@ -70,9 +73,14 @@ fn mean(map: &PiecewiseLinear, center: f64, deviation: f64) -> [f64; 4] {
         return map.value(center);
     }
     let [low, high] = [(center - FAR * deviation).max(0.0), center + (FAR + 0.5) * deviation];
+    if center > SERIES * deviation && !map.knots.iter().any(|knot| (low..=high).contains(&knot.0)) {
+        // On a line the color of the mean is the mean color.
+        let part = (deviation / center).powi(2);
+        return map.value(center * (1.0 + part * (0.5 + 0.125 * part)));
+    }
     let mut sum = [0.0; 4];
     let mut add = |from: f64, to: f64, color: &dyn Fn(f64) -> [f64; 4]| {
-        let piece: [f64; 4] = integrate(from.clamp(low, high), to.clamp(low, high), 4.0 * deviation, |length| {
+        let piece: [f64; 4] = integrate(from.clamp(low, high), to.clamp(low, high), 8.0 * deviation, |length| {
             let apart = (length - center) / deviation;
             let x = length * center / (deviation * deviation);
             let density = length / (deviation * deviation) * (-0.5 * apart * apart).exp() * bessel(x);

@@ -160,7 +160,8 @@ fn hidden(scale: f64, parts: &[(f64, f64)]) -> Node {
     // ln(1 + Λ spread) at both Λ are as the logarithms of what is left: their ratio falls from 4 to 1 as spread grows.
     let ratio = |spread: f64| (EXACT[1] * spread).ln_1p() / (EXACT[0] * spread).ln_1p();
     let [mut low, mut high] = SPREADS;
-    for _ in 0..40 {
+    // To 5e-7 of itself.
+    for _ in 0..24 {
         let middle = (low * high).sqrt();
         if ratio(middle) * less > more {
             low = middle;

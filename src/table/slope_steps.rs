@@ -2,7 +2,7 @@
 
 use super::slope_nodes::{Node, FOLLOWS};
 use crate::reference::normal::{cumulative, density};
-use crate::reference::slope_nodes::Transferred;
+use crate::reference::slope_nodes::{Part, Transferred};
 
 /// Degrees of the views from the normal.
 const VIEWS: [f64; 4] = [0.0, 45.0, 75.0, 85.0];
@@ -15,6 +15,9 @@ const EDGES: usize = 14;
 const FIRST: f64 = 0.004;
 const LAST: f64 = 3.0;
 
+/// Parts of no larger share count for nothing.
+const NOTHING: f64 = 1e-8;
+
 /// Shares of the surface with their scales.
 type Shares = Vec<(f64, f64)>;
 
@@ -23,9 +26,11 @@ type Shares = Vec<(f64, f64)>;
 pub(super) fn step_error(surface: &Transferred, nodes: &[Node; 4], steepest: f64) -> f64 {
     let deviation = DEVIATION / steepest.max(1e-12);
     let side = (0..EDGES).map(|edge| FIRST * (LAST / FIRST).powf(edge as f64 / (EDGES - 1) as f64));
-    let edges: Vec<f64> = side.flat_map(|edge| [-DEVIATION * edge, DEVIATION * edge]).collect();
-    let rates = surface.rates(FOLLOWS);
-    let parts: Shares = surface.parts.iter().map(|part| (deviation * part.scale.abs(), part.share)).collect();
+    let edges: Vec<f64> = side.map(|edge| DEVIATION * edge).collect();
+    let counts = |(part, _): &(&Part, f64)| part.share > NOTHING;
+    let (counted, rates): (Vec<&Part>, Vec<f64>) =
+        surface.parts.iter().zip(surface.rates(FOLLOWS)).filter(counts).unzip();
+    let parts: Shares = counted.iter().map(|part| (deviation * part.scale.abs(), part.share)).collect();
     let few: Shares = nodes.iter().map(|node| (deviation * node.scale.abs(), node.weight)).collect();
     let truth = below(&parts, &edges, |lambda, part| (-lambda * rates[part]).exp());
     let found = below(&few, &edges, |lambda, node| {
@@ -35,7 +40,7 @@ pub(super) fn step_error(surface: &Transferred, nodes: &[Node; 4], steepest: f64
     truth.iter().zip(found).map(|(truth, found)| (truth - found).abs()).fold(0.0, f64::max)
 }
 
-/// The shares in sight below each edge, for each view.
+/// The shares in sight below each edge on either side of 0, for each view.
 fn below(shares: &Shares, edges: &[f64], seen: impl Fn(f64, usize) -> f64) -> Vec<f64> {
     let ends = |deviation: f64, edge: f64| {
         let z = edge / deviation.max(1e-12);
@@ -55,12 +60,16 @@ fn below(shares: &Shares, edges: &[f64], seen: impl Fn(f64, usize) -> f64) -> Ve
         let all: f64 = weights.iter().zip(&areas).map(|(weight, area)| weight * area).sum();
         let below = |(number, &edge): (usize, &f64)| {
             let each = (0..shares.len()).map(|index| {
-                let area = if edge < horizon { part(shares[index].0, known[index][number]) } else { areas[index] };
-                weights[index] * area
+                let (probability, density) = known[index][number];
+                let [lower, upper] =
+                    [1.0 - probability, probability].map(|below| part(shares[index].0, (below, density)));
+                let upper = if edge < horizon { upper } else { areas[index] };
+                [lower, upper].map(|area| weights[index] * area)
             });
-            each.sum::<f64>() / all
+            let [lower, upper] = each.fold([0.0; 2], |sum, each| [sum[0] + each[0], sum[1] + each[1]]);
+            [lower / all, upper / all]
         };
-        edges.iter().enumerate().map(below).collect::<Vec<_>>()
+        edges.iter().enumerate().flat_map(below).collect::<Vec<_>>()
     };
     VIEWS.into_iter().flat_map(view).collect()
 }

@@ -1,24 +1,15 @@
 //! Tables of a map's means over the visible heights h = g(f) of a curve g, by mean and deviation of f.
 
 use super::grid::{Axis, Spacing};
-use super::lattice::{Judged, Lattice};
+use super::lattice::{half_rounded, rows, Lattice};
+use super::layers::{colors, REACH};
 use super::Table;
-use crate::reference::normal::cumulative;
 use crate::reference::slope_nodes::Transferred;
 use crate::reference::texture::PiecewiseLinear;
 use crate::transfer::height_transfer::HeightTransfer;
 
-/// Cells over the deviations of f on either side of its mean, besides those that bends cut.
-const CELLS: usize = 128;
-
-/// The most bends that are judged.
-const JUDGED: usize = 48;
-
-/// Beyond this many deviations of f there are 1e-11 of its values.
-const REACH: f64 = 6.7;
-
-/// The nodes of Gauss's rule of two over 0 to 1.
-const NODES: [f64; 2] = [0.211_324_865_405_187_1, 0.788_675_134_594_812_9];
+/// The most bends that are judged, and one column in how many.
+const JUDGED: [usize; 2] = [48, 2];
 
 /// A map over the heights that a curve makes, and what its table covers.
 pub(crate) struct Plan<'a> {
@@ -35,39 +26,60 @@ pub(crate) struct Plan<'a> {
 /// The slices: log₂(1 + Λ) of the sum of Smith's Λ of view and light.
 pub(crate) const HIDING: Axis = Axis { low: 0.0, high: 10.0, count: 16, spacing: Spacing::Linear };
 
-/// A part of the values of f, between two places where nothing bends.
-struct Cell {
-    /// The mean of its ends' heights.
-    height: f64,
-    /// How many of all values it holds.
-    share: f64,
-    /// |g′| at the nodes, the lower one first.
-    steepness: [f64; 2],
-    /// Logarithm of the density of f at its higher end over that at its lower one.
-    rise: f64,
-    /// The colors at the nodes, the lower one first.
-    colors: [[f64; 4]; 2],
-}
-
 impl Plan<'_> {
     /// The table, with its error as measured between texels for deviations from `floor` on.
     pub(crate) fn table(&self, name: &str, floor: f64) -> Table {
         let lattice = Lattice([self.means, self.deviations, HIDING]);
         let bends = self.bends();
-        let lambda = |slice: f64| HIDING.value(slice).exp2() - 1.0;
-        let texels = lattice.texels(|slice, mean, deviation| self.color(&bends, mean, deviation, lambda(slice as f64)));
-        // Of many bends some stand for all: each costs as much as a column.
-        let places: Vec<f64> = bends.iter().copied().step_by(bends.len().div_ceil(JUDGED).max(1)).collect();
-        let between = (0..HIDING.count - 1).map(|slice| slice as f64 + 0.5);
-        let errors = [0.0].into_iter().chain(between).map(|slice| {
-            let Axis { low, high, .. } = self.means;
-            let judged = Judged { low, high, least: floor, third: HIDING.value(slice) };
-            let near = |mean: f64, deviation: f64| self.color(&bends, mean, deviation, lambda(slice));
-            let truth = |mean: f64, deviation: f64| self.truth(&bends, mean, deviation, lambda(slice));
-            lattice.error(&texels, &places, judged, near, truth)
-        });
-        let error = errors.fold(0.0, f32::max);
+        let lambdas: Vec<f64> = (0..HIDING.count).map(|slice| lambda(slice as f64)).collect();
+        let line = |row: usize| {
+            let deviation = self.deviations.value(row as f64);
+            let colors = |column: usize| self.colors(&bends, self.means.value(column as f64), deviation, &lambdas);
+            let columns: Vec<Vec<[f64; 4]>> = (0..self.means.count).map(colors).collect();
+            let slices = (0..lambdas.len()).flat_map(|slice| columns.iter().map(move |column| column[slice]));
+            slices.flat_map(|color| color.map(half_rounded)).collect()
+        };
+        let lines = rows(self.deviations.count, line);
+        let (stride, slices) = (4 * self.means.count, lambdas.len());
+        let of = |slice: usize| (0..self.deviations.count).map(move |row| (row * slices + slice) * stride);
+        let texels: Vec<f32> = (0..slices).flat_map(of).flat_map(|at| lines[at..at + stride].iter().copied()).collect();
+        let error = self.error(lattice, &bends, &texels, floor);
         lattice.table(name, texels, error)
+    }
+
+    /// The largest difference between a filtered read and the color: on the first slice and between slices, on the
+    /// first and the last row, between rows and on the least, over the centers of every other cell of columns, those
+    /// between them on the next line, and where the color bends. Of each line the reference has the last word where the
+    /// difference is largest.
+    fn error(&self, lattice: Lattice, bends: &[f64], texels: &[f32], floor: f64) -> f32 {
+        let Lattice([columns, deviations, _]) = lattice;
+        let between = (0..HIDING.count - 1).map(|slice| slice as f64 + 0.5);
+        let thirds: Vec<f64> = [0.0].into_iter().chain(between).map(|slice| HIDING.value(slice)).collect();
+        let lambdas: Vec<f64> = thirds.iter().map(|third| third.exp2() - 1.0).collect();
+        // Of many bends some stand for all: each costs as much as a column.
+        let within = bends.iter().copied().filter(|at| (columns.low..=columns.high).contains(at));
+        let some: Vec<f64> = within.step_by(bends.len().div_ceil(JUDGED[0]).max(1)).collect();
+        let middles = (0..deviations.count - 1).map(|row| deviations.value(row as f64 + 0.5));
+        let ends = [floor, deviations.value(0.0), deviations.high];
+        let lines: Vec<f64> = middles.chain(ends).filter(|&line| line >= floor).collect();
+        let worst = |line: usize| {
+            let deviation = lines[line];
+            let apart = |mean: f64, third: f64, color: [f64; 4]| {
+                let read = lattice.filtered(texels, [mean, deviation, third]);
+                read.iter().zip(color).map(|(read, truth)| (read - truth).abs()).fold(0.0, f64::max)
+            };
+            let centers = (line % JUDGED[1]..columns.count - 1).step_by(JUDGED[1]);
+            let places = centers.map(|cell| columns.value(cell as f64 + 0.5)).chain(some.iter().copied());
+            let errors = places.flat_map(|mean| {
+                let colors = self.colors(bends, mean, deviation, &lambdas).into_iter().enumerate();
+                colors.map(move |(slice, color)| (mean, slice, color)).collect::<Vec<_>>()
+            });
+            let errors = errors.map(|(mean, slice, color)| (apart(mean, thirds[slice], color), mean, slice));
+            let (_, mean, slice) =
+                errors.fold((0.0, columns.low, 0), |one, next| if next.0 > one.0 { next } else { one });
+            vec![apart(mean, thirds[slice], self.truth(bends, mean, deviation, lambdas[slice])) as f32]
+        };
+        rows(lines.len(), worst).into_iter().fold(0.0, f32::max)
     }
 
     /// Where the color bends as a function of f, and by how much its slope changes there.
@@ -87,36 +99,9 @@ impl Plan<'_> {
         bends(self.map, self.curve, (self.means.low - far, self.means.high + far))
     }
 
-    /// The mean color over what is visible of heights of values of the given mean and deviation.
-    fn color(&self, bends: &[f64], mean: f64, deviation: f64, lambda: f64) -> [f64; 4] {
-        if deviation <= 0.0 {
-            return self.map.value(self.curve.height(mean));
-        }
-        let mut cells = self.cells(bends, mean, deviation);
-        let total: f64 = cells.iter().map(|cell| 0.5 * cell.share * (cell.steepness[0] + cell.steepness[1])).sum();
-        cells.sort_by(|a, b| b.height.total_cmp(&a.height));
-        let (mut below, mut hiding, mut seen, mut color) = (1.0f64, 0.0f64, 1.0f64, [0.0; 4]);
-        for cell in &cells {
-            let rest = (below - cell.share).max(0.0);
-            let [low, high] = cell.steepness.map(|steepness| if total > 0.0 { steepness / total } else { 1.0 });
-            let relative = 0.5 * (low + high);
-            let hidden = if relative > 0.0 { relative * (below / rest.max(f64::MIN_POSITIVE)).ln() } else { 0.0 };
-            hiding += hidden;
-            let left = rest * (-lambda * hiding).exp();
-            // Of what is visible of the cell the part at its higher node, where the density is that of f times
-            // (1 + Λ |g′|/E|g′|) e^(−ΛX), the first and the last even in their logarithms.
-            let fall = (-(NODES[1] - NODES[0]) * (cell.rise + lambda * hidden)).exp();
-            let (low, high) = (fall * (1.0 + lambda * low), 1.0 + lambda * high);
-            let higher = high / (low + high);
-            for (channel, sum) in color.iter_mut().enumerate() {
-                let [low, high] = cell.colors.map(|color| color[channel]);
-                *sum += (seen - left) * (low + higher * (high - low));
-            }
-            (below, seen) = (rest, left);
-        }
-        // What rounding leaves below the lowest cell.
-        let lowest = cells.last().map_or([0.0; 4], |cell| cell.colors[0]);
-        std::array::from_fn(|channel| color[channel] + seen * lowest[channel])
+    /// The mean color over what is visible of heights of values of the given mean and deviation, for each of some Λ.
+    fn colors(&self, bends: &[f64], mean: f64, deviation: f64, lambdas: &[f64]) -> Vec<[f64; 4]> {
+        colors(self.map, self.curve, bends, [mean, deviation], lambdas)
     }
 
     /// The same by the reference's many parts.
@@ -132,31 +117,11 @@ impl Plan<'_> {
         }
         color
     }
+}
 
-    fn cells(&self, bends: &[f64], mean: f64, deviation: f64) -> Vec<Cell> {
-        let even = (0..=CELLS).map(|index| REACH * (2.0 * index as f64 / CELLS as f64 - 1.0));
-        let bends = bends.iter().map(|at| (at - mean) / deviation).filter(|z| z.abs() < REACH);
-        let mut ends: Vec<f64> = even.chain(bends).collect();
-        ends.sort_by(f64::total_cmp);
-        let mut last = 0.0;
-        let cell = |pair: &[f64]| {
-            let next = cumulative(pair[1]);
-            let share = next - last;
-            last = next;
-            let at = NODES.map(|part| mean + deviation * (pair[0] + part * (pair[1] - pair[0])));
-            let heights = at.map(|value| self.curve.height(value));
-            let mut colors = heights.map(|height| self.map.value(height));
-            let mut steepness = at.map(|value| self.curve.slope(value).abs());
-            let mut rise = 0.5 * (pair[0] * pair[0] - pair[1] * pair[1]);
-            if heights[1] < heights[0] {
-                colors.reverse();
-                steepness.reverse();
-                rise = -rise;
-            }
-            Cell { height: 0.5 * (heights[0] + heights[1]), share, steepness, rise, colors }
-        };
-        ends.windows(2).map(cell).collect()
-    }
+/// Λ at a slice's number.
+fn lambda(slice: f64) -> f64 {
+    HIDING.value(slice).exp2() - 1.0
 }
 
 /// Where the color bends as a function of f.
@@ -195,7 +160,7 @@ mod tests {
         for strip in [0.0, 0.7, 39.0, 1e3].map(Strip::new) {
             for (mean, deviation) in [(0.31, 0.02), (-0.4, 0.3), (0.7, 0.5), (1.2, 0.2), (0.31, 0.0)] {
                 let expected = strip.color(&map, mean + deviation * strip.mean, deviation * strip.deviation);
-                let found = plan.color(&bends, mean, deviation, strip.lambda);
+                let found = plan.colors(&bends, mean, deviation, &[strip.lambda])[0];
                 let apart = found.iter().zip(expected).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
                 assert!(apart < 2e-4, "{}, {mean}, {deviation}: {apart:e}", strip.lambda);
             }
@@ -214,7 +179,7 @@ mod tests {
             for [mean, deviation] in [[0.31, 0.05], [-0.4, 0.3], [0.7, 0.5], [1.2, 0.2], [0.31, 0.0]] {
                 for lambda in [0.0, 0.4, 5.0, 100.0, 1e4] {
                     let truth = plan.truth(&bends, mean, deviation, lambda);
-                    let found = plan.color(&bends, mean, deviation, lambda);
+                    let found = plan.colors(&bends, mean, deviation, &[lambda])[0];
                     let apart = found.iter().zip(truth).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
                     assert!(apart < 2e-3, "{curve:?}, {mean}, {deviation}, {lambda}: {apart:e}");
                 }
