@@ -9,6 +9,7 @@ pub mod extremes;
 pub mod filters;
 pub mod generation;
 pub mod markdown;
+pub mod needs;
 pub mod page;
 pub mod plot;
 pub mod publish;
@@ -65,6 +66,8 @@ pub enum Part {
     Accuracy,
     /// Hard cases.
     Extremes,
+    /// What modules consist of.
+    Needs,
     /// How long scenes take to become modules and tables.
     Generation,
     /// Closed forms, tables and mixtures, and the weights by which tiers are chosen.
@@ -73,8 +76,8 @@ pub enum Part {
 
 impl Part {
     /// All of them, in the report's order.
-    pub const ALL: [Self; 6] =
-        [Self::Filters, Self::Scenes, Self::Accuracy, Self::Extremes, Self::Generation, Self::Costs];
+    pub const ALL: [Self; 7] =
+        [Self::Filters, Self::Scenes, Self::Accuracy, Self::Extremes, Self::Needs, Self::Generation, Self::Costs];
 
     /// Its name, as on the command line.
     pub fn name(self) -> &'static str {
@@ -83,6 +86,7 @@ impl Part {
             Self::Scenes => "scenes",
             Self::Accuracy => "accuracy",
             Self::Extremes => "extremes",
+            Self::Needs => "needs",
             Self::Generation => "generation",
             Self::Costs => "costs",
         }
@@ -95,6 +99,7 @@ impl Part {
             Self::Scenes => scenes::steps(extent),
             Self::Accuracy => accuracy::steps(extent),
             Self::Extremes => extremes::steps(extent),
+            Self::Needs => needs::steps(extent),
             Self::Generation => generation::steps(extent),
             Self::Costs => costs::steps(extent),
         }
@@ -110,6 +115,7 @@ impl Part {
             Self::Scenes => scenes::section(bench),
             Self::Accuracy => accuracy::section(bench),
             Self::Extremes => extremes::section(bench),
+            Self::Needs => needs::section(bench),
             Self::Generation => generation::section(bench),
             Self::Costs => costs::section(bench),
         }
