@@ -57,10 +57,10 @@ pub fn entry(modules: &[Module]) -> String {
     for module in modules {
         let mut known: Vec<String> = Vec::new();
         let mut argument = |(name, kind): (&str, &str)| match kind {
-            "f32" => "given.x".to_owned(),
-            "vec2f" => "given.xy".to_owned(),
-            "vec3f" => "given.xyz".to_owned(),
-            "vec4f" => "given".to_owned(),
+            "f32" => "pixel_numbers.x".to_owned(),
+            "vec2f" => "pixel_numbers.xy".to_owned(),
+            "vec3f" => "pixel_numbers.xyz".to_owned(),
+            "vec4f" => "pixel_numbers".to_owned(),
             _ => {
                 let own = format!("{}_{name}", module.name());
                 if !known.contains(&own) {
@@ -83,7 +83,7 @@ pub fn entry(modules: &[Module]) -> String {
         sum += &module.exports().iter().map(&mut call).collect::<String>();
     }
     format!(
-        "@group(0) @binding(0) var<uniform> given: vec4f;
+        "@group(0) @binding(0) var<uniform> pixel_numbers: vec4f;
 {bindings}@fragment
 fn main() -> @location(0) vec4f {{
     var sum = vec4f();

@@ -10,7 +10,7 @@ use prefilter::{Module, Scene, Table as Texture};
 use rustix::time::{clock_gettime, ClockId};
 
 /// Runs of which the fastest counts: what nothing disturbed.
-const RUNS: usize = 7;
+const RUNS: usize = 3;
 
 /// Scenes that have one filter each, at most.
 fn singles(extent: Extent) -> Result<Vec<(&'static str, Scene)>, Error> {
@@ -33,7 +33,7 @@ pub fn section(bench: &Bench<'_>) -> Result<Section, Error> {
         stem: "generation_all_filters".into(),
         caption:
             "A scene with all filters: one module of each, linked behind a fragment shader that calls every export. \
-                  Milliseconds of one core, the fastest of seven runs; the tables that scenes try and do not take are \
+                  Milliseconds of one core, the fastest of three runs; the tables that scenes try and do not take are \
                   baked, too."
                 .into(),
         columns: COLUMNS.map(Into::into).to_vec(),
