@@ -2,23 +2,21 @@
 
 use std::f64::consts::TAU;
 
-use prefilter::gpu::{Address, Device};
+use prefilter::gpu::Device;
 use prefilter::reference::cosines;
 use prefilter::reference::crossing::line;
 use prefilter::reference::footprint::deviations;
 use prefilter::reference::gabor_spectrum::Spectrum as Ranges;
-use prefilter::reference::moments::{Beyond, Image};
 use prefilter::reference::pulse::Footprint as Pulse;
 use prefilter::reference::retained::Noise as Retained;
 use prefilter::reference::{gabor, perlin};
-use prefilter::table::Format;
-use prefilter::{ColorMap, Cosines, Driver, Edge, Gabor, MomentMipmap, Motif, Noise, Pattern, Scene, Spectrum, Wave};
+use prefilter::{ColorMap, Cosines, Driver, Gabor, Motif, Noise, Pattern, Scene, Spectrum, Wave};
 
 use super::cases::Case;
 use super::footprints::Footprint;
 use super::outcome::Outcome;
+use super::pyramids;
 use crate::exports::ExportKernel;
-use crate::kernel::Function;
 
 /// What knows a footprint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -33,6 +31,10 @@ pub enum Source {
     Cosines,
     /// The pyramid of an image.
     Moments,
+    /// That of four moments.
+    FourMoments,
+    /// That of a map of slopes: mean and covariance.
+    SlopeMoments,
 }
 
 /// The share of stripes, and that of narrow ones.
@@ -44,12 +46,10 @@ const CELL: f64 = 0.8;
 /// The variance of one octave of Perlin's noise.
 const PERLIN: f64 = 0.046_531_150_4;
 
-/// Texels of a side of the image.
-const SIDE: usize = 32;
-
 impl Source {
     /// All of them, in the report's order.
-    pub const ALL: [Self; 5] = [Self::Noise, Self::Gabor, Self::Pattern, Self::Cosines, Self::Moments];
+    pub const ALL: [Self; 7] =
+        [Self::Noise, Self::Gabor, Self::Pattern, Self::Cosines, Self::Moments, Self::FourMoments, Self::SlopeMoments];
 
     /// Its name in tables.
     pub fn name(self) -> &'static str {
@@ -59,6 +59,8 @@ impl Source {
             Self::Pattern => "pattern",
             Self::Cosines => "cosines",
             Self::Moments => "moments",
+            Self::FourMoments => "four moments",
+            Self::SlopeMoments => "slope moments",
         }
     }
 
@@ -67,8 +69,8 @@ impl Source {
     pub fn meets(self, case: Case) -> bool {
         match case {
             Case::BelowHorizon => false,
-            Case::HardEdges | Case::Stripes => matches!(self, Self::Pattern | Self::Moments),
-            Case::HalfTables => self == Self::Moments,
+            Case::HardEdges | Case::Stripes => self == Self::Pattern || self.reads(),
+            Case::HalfTables => self.reads(),
             Case::Grazing
             | Case::NoDeviation
             | Case::HugeDeviation
@@ -77,6 +79,11 @@ impl Source {
             | Case::Denormals
             | Case::FarFromOrigin => true,
         }
+    }
+
+    /// Whether it reads the pyramid of an image.
+    fn reads(self) -> bool {
+        matches!(self, Self::Moments | Self::FourMoments | Self::SlopeMoments)
     }
 
     fn driver(self, case: Case) -> Option<Driver> {
@@ -90,7 +97,7 @@ impl Source {
                 Driver::Pattern(Pattern { motif: Motif::Stripes { duty: duty(case) }, ..Pattern::default() })
             }
             Self::Cosines => Driver::Cosines(Cosines { waves: waves(), mean: 0.0, ..Cosines::default() }),
-            Self::Moments => return None,
+            Self::Moments | Self::FourMoments | Self::SlopeMoments => return None,
         })
     }
 
@@ -100,7 +107,7 @@ impl Source {
             // A corner of a cell has a line of slope 1, four of them up to 1 in all; of deviations.
             Self::Noise => [-1.0 / PERLIN.sqrt(), 1.0 / PERLIN.sqrt()],
             Self::Gabor => [f64::MIN, f64::MAX],
-            Self::Pattern | Self::Moments => [0.0, 1.0],
+            Self::Pattern | Self::Moments | Self::FourMoments | Self::SlopeMoments => [0.0, 1.0],
             Self::Cosines => {
                 let most = waves().iter().map(|wave| f64::from(wave.amplitude)).sum::<f64>() * (1.0 + 1e-6);
                 [-most, most]
@@ -137,7 +144,8 @@ impl Source {
                 let flat = |[x, y, _]: [f64; 3]| [x, y];
                 cosines::surface(&waves, [x, y], flat(*across), flat(*along)).mean
             }
-            Self::Moments => f64::NAN,
+            // Those have truths of their own.
+            Self::Moments | Self::FourMoments | Self::SlopeMoments => f64::NAN,
         }
     }
 }
@@ -163,15 +171,13 @@ fn exact(wave: Wave) -> cosines::Wave {
 pub fn outcomes(device: &Device, source: Source, count: usize) -> Result<Vec<Outcome>, String> {
     let cases = Case::ALL.into_iter().filter(|case| source.meets(*case));
     cases
-        .map(
-            |case| {
-                if source == Source::Moments {
-                    read(device, case, count)
-                } else {
-                    driven(device, source, case, count)
-                }
-            },
-        )
+        .map(|case| {
+            if source.reads() {
+                pyramids::read(device, source, case, count)
+            } else {
+                driven(device, source, case, count)
+            }
+        })
         .collect()
 }
 
@@ -194,42 +200,6 @@ fn driven(device: &Device, source: Source, case: Case, count: usize) -> Result<O
         let sound = (low..=high).contains(&mean) && mean.is_finite() && variance.is_finite() && variance >= 0.0;
         outcome.count(footprint, sound);
         outcome.judge(footprint, &[mean], &[source.truth(case, footprint)], false);
-    }
-    Ok(outcome)
-}
-
-/// The pyramid of an image, which repeats: a wavy one, two halves, or a column of one texel.
-fn read(device: &Device, case: Case, count: usize) -> Result<Outcome, String> {
-    let value = |x: usize, y: usize| match case {
-        Case::HardEdges => f32::from(u8::from(x < SIDE / 2)),
-        Case::Stripes => f32::from(u8::from(x == SIDE / 2)),
-        _ => (0.5 + 0.3 * (0.7 * x as f32).sin() * (0.4 * y as f32).cos() + 0.15 * (1.9 * (x + y) as f32).sin())
-            .clamp(0.0, 1.0),
-    };
-    let values: Vec<f32> = (0..SIDE * SIDE).map(|at| value(at % SIDE, at / SIDE)).collect();
-    let format = if case == Case::HalfTables { Format::Rg16Float } else { Format::Rg32Float };
-    let side = SIDE as u32;
-    let table = MomentMipmap::new(side, side, &values, Edge::Repeat).and_then(|image| image.table("moments", format));
-    let table = table.map_err(|error| error.to_string())?;
-    let texture = device.upload(&table, Address::Repeat).map_err(|error| error.to_string())?;
-    let values = values.into_iter().map(f64::from).collect();
-    let image = Image { width: SIDE, height: SIDE, values, beyond: Beyond::Repeat };
-    let texels: Vec<[f64; 2]> = (0..SIDE * SIDE).map(|at| image.over_texel(at % SIDE, at / SIDE)).collect();
-    let footprints = Footprint::all(case, Some(0.5), count);
-    let scale = (SIDE * SIDE) as f64;
-    let point = |footprint: &Footprint| {
-        let covariance = footprint.covariance().map(|part| scale * part);
-        [&footprint.position[..2], &covariance].concat().into_iter().map(|part| f64::from(part as f32)).collect()
-    };
-    let points: Vec<Vec<f64>> = footprints.iter().map(point).collect();
-    let found = Function::of_shelf("moments_read")?.results(device, &[&texture], &points)?;
-    let mut outcome = Outcome::new(Source::Moments.name(), case, None);
-    let slack = if case == Case::HalfTables { 5e-4 } else { 0.0 };
-    for (point, found) in points.iter().zip(found) {
-        let [mean, deviation] = found[..] else { return Err("`moments_read` returns two numbers".into()) };
-        outcome.count(point, (-slack..=1.0 + slack).contains(&mean) && (0.0..=0.5 + slack).contains(&deviation));
-        let [truth, _] = image.read(&texels, [point[0], point[1]], [point[2], point[3], point[4]]);
-        outcome.judge(point, &[mean], &[truth], false);
     }
     Ok(outcome)
 }

@@ -10,6 +10,7 @@ pub mod judge;
 pub mod outcome;
 pub mod pairs;
 pub mod points;
+mod pyramids;
 pub mod subject;
 mod tables;
 mod truth;

@@ -42,7 +42,7 @@ pub fn items(bench: &Bench<'_>, count: usize) -> Result<Vec<Item>, Error> {
         )),
         Item::Table(errors(
             "extremes_drivers",
-            "Largest errors of the mean that drivers find, in the range of values or in deviations.",
+            "Largest errors of what drivers find: means, in values or deviations, and covariances of slopes.",
             &Source::ALL.map(Source::name),
             &drivers,
         )),
