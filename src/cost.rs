@@ -1,4 +1,22 @@
 //! What a call costs, counted on naga's own representation.
+//!
+//! The unit is a multiply-add of single numbers. Functions count by the throughput that GPUs document, and what those
+//! are made of: a table that is chosen by counts of one kind of device is chosen on all. Measured beside each other,
+//! by chains of four numbers on llvmpipe (LLVM 15, 256 bits; `cargo xtask report --only costs` measures them anew):
+//!
+//! | function | counts as | llvmpipe |
+//! |---|---|---|
+//! | exp2, log2 | 4 | 5.6, 8.4 |
+//! | 1/x, x/y, sqrt, inverseSqrt | 4 | 2.0, 2.0, 2.7, 4.8 |
+//! | sin | 4 | 11 |
+//! | exp, log | 5 | 6.3, 9.1 |
+//! | pow, tanh | 9 | 15, 13 |
+//! | atan, atan2, asin | 16 | 11, 17, 8 |
+//! | a filtered fetch of four halves | 64 | 69, from a volume 112 |
+//!
+//! On llvmpipe weights and times of 92 modules have a rank correlation of 0.92. The fit of those times has a fetch at
+//! 174 operations, as tables are read here and there and not always at one texel: closed forms cost as much as tables
+//! at 7 to 10 stops, where by weight they do at 2 to 3.
 
 use std::collections::BTreeMap;
 
@@ -50,6 +68,8 @@ impl std::fmt::Display for Cost {
 
 /// Operations that a filtered fetch of halves is worth, by the throughputs of one streaming multiprocessor: 128
 /// multiply-adds and, of four halves, 2 filtered fetches a clock.
+///
+/// By the times of llvmpipe it would be 174.
 const FETCH: usize = 64;
 
 /// The cost of calling a function, if there is one; `trips` gives the iterations of the loops in a function, by its
@@ -131,6 +151,11 @@ fn components(inner: &TypeInner) -> usize {
 }
 
 /// Operations a component of the result; functions of whole vectors are counted by what they expand to.
+///
+/// Source of the fours: special functions have a quarter of the rate of multiply-adds on AMD's RDNA ("RDNA
+/// Architecture", 2019) and a quarter or an eighth on NVIDIA's multiprocessors, 16 results a clock beside 64 or 128
+/// ("CUDA C++ Programming Guide", throughput of native arithmetic instructions). exp and log are one multiplication
+/// more; pow is log2, a product and exp2, and tanh as much; arcs are polynomials about a division.
 fn math(function: MathFunction) -> usize {
     use MathFunction as F;
     match function {
