@@ -83,6 +83,14 @@ impl Canvas {
         let Ok(_) = line.draw(self);
     }
 
+    /// The canvas with a line of ASCII text below it.
+    pub fn with_line(&self, text: &str, color: [u8; 3]) -> Self {
+        let mut taller = Self::new(self.width, self.height + 16, [255; 3]);
+        taller.bytes(&self.pixels, self.width, [0, 0]);
+        taller.text(text, [4, self.height + 2], Letters::Small, color);
+        taller
+    }
+
     /// Writes the canvas as a PNG file.
     ///
     /// # Errors
@@ -166,5 +174,7 @@ mod tests {
         assert_eq!(canvas.pixels[0], [9; 3]);
         assert_eq!(canvas.pixels[19 * 20 + 19], [0; 3]);
         assert!(canvas.pixels.contains(&[1; 3]));
+        let taller = canvas.with_line("below", [2; 3]);
+        assert!(taller.pixels[..400] == canvas.pixels && taller.pixels[400..].contains(&[2; 3]));
     }
 }

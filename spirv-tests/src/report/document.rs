@@ -8,7 +8,8 @@ use crate::imaging::canvas::Canvas;
 pub struct Document {
     /// What it is about.
     pub title: String,
-    /// On what, when and how far it was measured: written on the page and at the top of every table.
+    /// On what, when and how far it was measured: written on the page and at the top of every table; the first two,
+    /// device and date, below every plot and picture.
     pub facts: Vec<(&'static str, String)>,
     /// Its parts.
     pub sections: Vec<Section>,

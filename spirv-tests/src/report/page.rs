@@ -2,6 +2,7 @@
 
 use super::document::{Cell, Document, Item, Section, Table};
 use super::{csv, markdown, plot, Error};
+use crate::imaging::sheet::INK;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
@@ -21,15 +22,20 @@ pub fn write(folder: &Path, document: &Document) -> Result<PathBuf, Error> {
         std::fs::write(&path, text).map_err(failed(&path))
     };
     std::fs::create_dir_all(folder).map_err(failed(folder))?;
+    // Plots and pictures go their own ways: each says where and when it was made.
+    let measured = document.facts.iter().take(2).map(|(_, value)| value.as_str()).collect::<Vec<_>>().join(", ");
     for item in document.sections.iter().flat_map(|section| &section.items) {
         match item {
             Item::Text(_) | Item::Lines(_) => {}
             Item::Table(table) => written(format!("{}.csv", table.stem), csv::table(&document.facts, table))?,
             Item::Plot(plot) => {
                 written(format!("{}.csv", plot.stem), csv::plot(&document.facts, plot))?;
-                written(format!("{}.svg", plot.stem), plot::svg(plot)?)?;
+                written(format!("{}.svg", plot.stem), plot::svg(plot, &measured)?)?;
             }
-            Item::Sheet(sheet) => sheet.canvas.save(&folder.join(format!("{}.png", sheet.stem)))?,
+            Item::Sheet(sheet) => {
+                let canvas = sheet.canvas.with_line(&measured, INK);
+                canvas.save(&folder.join(format!("{}.png", sheet.stem)))?;
+            }
         }
     }
     written("report.md".into(), markdown::text(document))?;
@@ -126,7 +132,8 @@ mod tests {
             Item::Sheet(sheet),
         ];
         let sections = vec![Section { stem: "part".into(), title: "A part".into(), items }];
-        let document = Document { title: "made".into(), facts: vec![("device", "none".into())], sections };
+        let facts = vec![("device", "none".into()), ("date", "today".into())];
+        let document = Document { title: "made".into(), facts, sections };
         let folder = std::env::temp_dir().join(format!("prefilter-page-{}", std::process::id()));
         let page = write(&folder, &document).map(|path| std::fs::read_to_string(path).unwrap_or_default());
         let page = page.unwrap_or_else(|error| error.to_string());
@@ -134,7 +141,11 @@ mod tests {
             assert!(page.contains(expected), "{expected}: {page}");
         }
         let read = |name: &str| std::fs::read_to_string(folder.join(name)).unwrap_or_default();
-        assert!(read("curve.svg").contains("a &lt;b&gt;") && read("curve.csv").contains("# device: none"));
+        assert!(
+            read("curve.svg").contains("a &lt;b&gt;")
+                && read("curve.svg").contains("none, today")
+                && read("curve.csv").contains("# device: none")
+        );
         assert!(read("report.md").contains("| one & two | 0.250 |") && read("rows.csv").contains("what,how"));
         assert!(folder.join("look.png").exists() && std::fs::remove_dir_all(&folder).is_ok());
     }

@@ -8,7 +8,7 @@ use plotters::prelude::*;
 use std::ops::Range;
 
 /// Width and height of a plot in pixels.
-const SIZE: (u32, u32) = (760, 460);
+const SIZE: (u32, u32) = (760, 480);
 
 /// Colors of series, told apart by people who see no red or no green: Okabe and Ito 2008, "Color Universal Design".
 const COLORS: [RGBColor; 7] = [
@@ -24,20 +24,22 @@ const COLORS: [RGBColor; 7] = [
 /// A surface to draw on.
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
-/// The plot as the text of a file.
+/// The plot as the text of a file, above a line that says where and when it was measured.
 ///
 /// # Errors
 /// Those of the drawing.
-pub fn svg(plot: &Plot) -> Result<String, Error> {
+pub fn svg(plot: &Plot, measured: &str) -> Result<String, Error> {
     let mut text = String::new();
     let area = SVGBackend::with_string(&mut text, SIZE).into_drawing_area();
-    drawn(&area, plot).map_err(|error| Error::Plot(error.to_string()))?;
+    drawn(&area, plot, measured).map_err(|error| Error::Plot(error.to_string()))?;
     drop(area);
     Ok(text)
 }
 
-fn drawn(area: &Area<'_>, plot: &Plot) -> Result<(), Box<dyn std::error::Error>> {
+fn drawn(area: &Area<'_>, plot: &Plot, measured: &str) -> Result<(), Box<dyn std::error::Error>> {
     area.fill(&WHITE)?;
+    let foot = SIZE.1 as i32 - 14;
+    area.draw(&Text::new(measured.to_owned(), (10, foot), ("sans-serif", 11).into_font().color(&COLORS[6])))?;
     let kept: Vec<Vec<(f64, f64)>> = plot.series.iter().map(|series| kept(plot, &series.points)).collect();
     let all = || kept.iter().flatten().copied();
     let x = range(&plot.x, all().map(|point| point.0));
@@ -84,7 +86,7 @@ where
     Y::CoordDescType: ValueFormatter<f64>,
 {
     let mut builder = ChartBuilder::on(area);
-    builder.margin(10).margin_right(250).x_label_area_size(42).y_label_area_size(64);
+    builder.margin(10).margin_bottom(24).margin_right(250).x_label_area_size(42).y_label_area_size(64);
     let mut chart = builder.build_cartesian_2d(x, y)?;
     let label =
         |value: &f64| if (1e-3..1e4).contains(&value.abs()) { format!("{value}") } else { format!("{value:.0e}") };

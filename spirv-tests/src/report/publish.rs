@@ -10,7 +10,7 @@ pub const SHOWN: &str = "filters_summary";
 /// Between these lines of the README stands what was made.
 const MARKS: [&str; 2] = ["<!-- made by `cargo xtask report --publish` -->\n", "<!-- end of what was made -->\n"];
 
-/// Writes `docs/report-DEVICE.md` below the workspace's folder and the README's tables anew; returns their paths.
+/// Writes `docs/report-DEVICE.md` below the workspace's folder and the README's tables anew; returns what was written.
 ///
 /// Plots and pictures are left out: the report that anyone can make has them.
 ///
@@ -30,7 +30,11 @@ pub fn publish(root: &Path, device: &str, document: &Document) -> Result<Vec<Pat
     let reports = published(root).map_err(failed(&report))?;
     let readme = root.join("README.md");
     let text = std::fs::read_to_string(&readme).map_err(failed(&readme))?;
-    std::fs::write(&readme, with_tables(&text, &reports)).map_err(failed(&readme))?;
+    let made = with_tables(&text, &reports);
+    if made == text {
+        return Ok(vec![report]);
+    }
+    std::fs::write(&readme, made).map_err(failed(&readme))?;
     Ok(vec![report, readme])
 }
 
