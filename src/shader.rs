@@ -166,7 +166,8 @@ pub fn link(modules: &[&Module], text: &str) -> Result<Shader, Error> {
     }
     let path = "shader.wgsl";
     let linked = prefilter_wgsl::link(&whole).map_err(|collision| Error::Collision { path: path.into(), collision })?;
-    let own = prefilter_wgsl::declarations(text);
+    let mut own = prefilter_wgsl::declarations(text);
+    own.retain(|declaration| may_be_built_in(declaration.name));
     modules.iter().try_for_each(|module| hides_nothing(path, &own, module))?;
     Shader::new(path, linked)
 }
@@ -221,6 +222,11 @@ fn hides_nothing(path: &str, own: &[prefilter_wgsl::Declaration<'_>], module: &M
             })
         }
     }
+}
+
+/// Whether the language may have the name itself: of those with a low line only types of textures and samplers.
+fn may_be_built_in(name: &str) -> bool {
+    !name.contains('_') || name.starts_with("texture_") || name.starts_with("sampler_")
 }
 
 /// Whether a text has a name, were it in a comment.

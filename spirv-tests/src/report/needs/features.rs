@@ -12,8 +12,8 @@ pub struct Feature {
     pub name: &'static str,
     /// A scene that has it.
     pub on: Scene,
-    /// That scene, with the feature switched off again.
-    pub off: Scene,
+    /// That scene, with the feature switched off again; none where nothing switches it off.
+    pub off: Option<Scene>,
     /// A scene that was never told of it.
     pub never: Scene,
     /// Names that nothing but this feature puts into the text.
@@ -32,7 +32,7 @@ pub fn all() -> Result<Vec<Feature>, prefilter::Error> {
 fn surfaces() -> Result<Vec<Feature>, prefilter::Error> {
     let of = |name, on, words| -> Result<Feature, prefilter::Error> {
         let on = heights()?.microsurface(on);
-        Ok(Feature { name, off: on.clone().microsurface(BARE), on, never: heights()?.microsurface(BARE), words })
+        Ok(Feature { name, off: Some(on.clone().microsurface(BARE)), on, never: heights()?.microsurface(BARE), words })
     };
     let lit = Microsurface { shadowing: true, ..BARE };
     let hotspot = heights()?.microsurface(Microsurface { hotspot: true, ..lit });
@@ -42,7 +42,7 @@ fn surfaces() -> Result<Vec<Feature>, prefilter::Error> {
         of("shadowing", lit, &["light", "lit", "moss_visibility"])?,
         Feature {
             name: "hotspot",
-            off: hotspot.clone().microsurface(lit),
+            off: Some(hotspot.clone().microsurface(lit)),
             on: hotspot,
             never: heights()?.microsurface(lit),
             words: &["visibility_correlated", "visibility_independence"],
@@ -53,14 +53,14 @@ fn surfaces() -> Result<Vec<Feature>, prefilter::Error> {
         Feature {
             name: "two distributions of slopes",
             on: slope.clone(),
-            off: slope.clone().slope_tier(SlopeTier::Gaussian),
+            off: Some(slope.clone().slope_tier(SlopeTier::Gaussian)),
             never: Scene::new("dune").slope(ramp()?).slope_tier(SlopeTier::Gaussian).tier(EXACT),
             words: &["slopes_pair"],
         },
         Feature {
             name: "height transfer",
             on: slope.clone().transfer(curve),
-            off: slope.clone(),
+            off: None,
             never: slope,
             words: &["slope_nodes_lambda", "nodes", "nodes_sampler", "dune_transferred"],
         },
@@ -81,14 +81,14 @@ fn colors() -> Result<Vec<Feature>, prefilter::Error> {
     Ok(vec![
         Feature {
             name: "dynamic colors",
-            off: dynamic.clone().colors(Colors::Constant),
+            off: Some(dynamic.clone().colors(Colors::Constant)),
             on: dynamic,
             never: values.clone(),
             words: &["texture_knots", "knots"],
         },
         Feature {
             name: "tables",
-            off: table.clone().tier(EXACT),
+            off: Some(table.clone().tier(EXACT)),
             on: table,
             never: values.clone(),
             words: &["texture_table", "table", "table_sampler"],
@@ -96,21 +96,21 @@ fn colors() -> Result<Vec<Feature>, prefilter::Error> {
         Feature {
             name: "hard edges",
             on: values.clone(),
-            off: values.texture(smooth.map().cloned().map_or_else(ramp, Ok)?),
+            off: Some(values.texture(smooth.map().cloned().map_or_else(ramp, Ok)?)),
             never: smooth.clone(),
             words: &["texture_step"],
         },
         Feature {
             name: "fourth channel",
-            on: smooth.clone().texture(four),
-            off: smooth.clone(),
+            on: smooth.clone().texture(four.clone()),
+            off: Some(smooth.clone().texture(four).texture(smooth.map().cloned().map_or_else(ramp, Ok)?)),
             never: smooth,
             words: &["vec4f"],
         },
         Feature {
             name: "distribution between two ends",
             on: free()?.distribution(bounded.clone()),
-            off: free()?.distribution(bounded).distribution(Distribution::Normal),
+            off: Some(free()?.distribution(bounded).distribution(Distribution::Normal)),
             never: free()?,
             words: &["texture_bounded_table"],
         },
@@ -124,13 +124,13 @@ fn images() -> Result<Vec<Feature>, prefilter::Error> {
     let pair = Distribution::Pair;
     let of = |name, on: Moments, words| -> Result<Feature, prefilter::Error> {
         let on = driven(values_of()?, on);
-        Ok(Feature { name, off: driven(on.clone(), one), on, never: driven(values_of()?, one), words })
+        Ok(Feature { name, off: Some(driven(on.clone(), one)), on, never: driven(values_of()?, one), words })
     };
     Ok(vec![
         Feature {
             name: "driver",
             on: driven(values_of()?, one),
-            off: values_of()?,
+            off: None,
             never: values_of()?,
             words: &["lichen_color", "moments", "dpdx"],
         },
@@ -139,14 +139,14 @@ fn images() -> Result<Vec<Feature>, prefilter::Error> {
         Feature {
             name: "slopes of an image",
             on: driven(bare.clone(), Moments { slopes: true, ..one }),
-            off: driven(driven(bare.clone(), Moments { slopes: true, ..one }), one),
+            off: Some(driven(driven(bare.clone(), Moments { slopes: true, ..one }), one)),
             never: driven(bare, one),
             words: &["slopes", "slopes_sampler"],
         },
         Feature {
             name: "two heaps of values",
             on: driven(values_of()?, one).distribution(pair.clone()),
-            off: driven(values_of()?, one).distribution(pair).distribution(Distribution::Normal),
+            off: Some(driven(values_of()?, one).distribution(pair).distribution(Distribution::Normal)),
             never: driven(values_of()?, one),
             words: &["mixture_pair", "lichen_pair"],
         },
@@ -159,7 +159,7 @@ fn noises() -> Result<Vec<Feature>, prefilter::Error> {
     let driven = |scene: Scene, noise| scene.driver(Driver::Noise(noise));
     let of = |name, on: Noise, words| -> Result<Feature, prefilter::Error> {
         let on = driven(values_of()?, on);
-        Ok(Feature { name, off: driven(on.clone(), plain), on, never: driven(values_of()?, plain), words })
+        Ok(Feature { name, off: Some(driven(on.clone(), plain)), on, never: driven(values_of()?, plain), words })
     };
     let checker = Driver::Pattern(Pattern::default());
     let warped = values_of()?.driver(Driver::Warp(Warp::of(checker.clone())));
@@ -168,7 +168,7 @@ fn noises() -> Result<Vec<Feature>, prefilter::Error> {
         of("curvature", Noise { method: NoiseMethod::Curvature, ..plain }, &["bend_statistics"])?,
         Feature {
             name: "displaced positions",
-            off: warped.clone().driver(checker.clone()),
+            off: Some(warped.clone().driver(checker.clone())),
             on: warped,
             never: values_of()?.driver(checker),
             words: &["warp_position"],
@@ -184,25 +184,25 @@ fn layers() -> Result<Vec<Feature>, prefilter::Error> {
         prefilter::SlopeMap::from_function(16, prefilter::SlopeDomain::Within(0.5), |[x, y]| [0.5 + x, 0.5 - y, 0.25])?;
     let snow = Scene::new("snow").slope_map(snow).slope_tier(SlopeTier::Gaussian);
     Ok(vec![
-        Feature { name: "irradiance", on: lit, off: hills()?, never: hills()?, words: &["hills_lit"] },
+        Feature { name: "irradiance", on: lit, off: None, never: hills()?, words: &["hills_lit"] },
         Feature {
             name: "reflectance",
             on: hills()?.reflectance(Reflectance::Lambert),
-            off: hills()?,
+            off: None,
             never: hills()?,
             words: &["hills_radiance", "radiance", "light"],
         },
         Feature {
             name: "weights",
             on: Scene::new("hills").combination(weighted),
-            off: Scene::new("hills").combination(Combination::from(&values_of()?)),
+            off: None,
             never: Scene::new("hills").combination(&values_of()?),
             words: &["wetness"],
         },
         Feature {
             name: "reads along an axis",
             on: snow.clone().slope_taps(SlopeTaps::Three),
-            off: snow.clone().slope_taps(SlopeTaps::Three).slope_taps(SlopeTaps::One),
+            off: Some(snow.clone().slope_taps(SlopeTaps::Three).slope_taps(SlopeTaps::One)),
             never: snow.slope_taps(SlopeTaps::One),
             words: &["slope_map_three"],
         },

@@ -106,15 +106,15 @@ fn scenes_table() -> Result<Table, Error> {
 fn features_table() -> Result<Table, Error> {
     let mut rows = Vec::new();
     for feature in features::all()? {
-        let [on, off] = [Need::of(&feature.on.module()?).list(), Need::of(&feature.off.module()?).list()];
+        let [on, off] = [Need::of(&feature.on.module()?).list(), Need::of(&feature.never.module()?).list()];
         let differences = on.into_iter().zip(off).map(|(on, off)| Cell::Text(format!("{:+}", on as i64 - off as i64)));
         rows.push([feature.name.into()].into_iter().chain(differences).collect());
     }
     Ok(Table {
         stem: "needs_features".into(),
         caption:
-            "What a feature adds to a scene that is without it. Switched off it leaves no trace: the text is that \
-                  of a scene that never had it."
+            "What a feature adds to a scene that is without it. Switched off, where it can be, the text is that of \
+                  a scene that never had it."
                 .into(),
         columns: ["feature"].into_iter().chain(COLUMNS).map(Into::into).collect(),
         rows,
