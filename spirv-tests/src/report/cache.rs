@@ -4,6 +4,9 @@ use sha2::{Digest, Sha256};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
+/// The hash of all files that truths of several parts are made of: references, transfers, imaging and images.
+const SOURCES: &str = env!("SOURCES_OF_TRUTHS");
+
 /// A folder of lists of numbers.
 #[derive(Clone, Debug)]
 pub struct Cache {
@@ -22,7 +25,8 @@ impl Cache {
     }
 
     /// `count` numbers of these inputs: those kept, or else those that are made now, which are kept. `inputs` says all
-    /// that the numbers depend on, the text of the program that makes them included.
+    /// that the numbers depend on but for references, transfers, imaging and images: the text of the program that makes
+    /// them included.
     ///
     /// A file that cannot be read or has another length counts as none; one that cannot be written is left out.
     ///
@@ -35,7 +39,7 @@ impl Cache {
         make: impl FnOnce() -> Result<Vec<f32>, E>,
     ) -> Result<Vec<f32>, E> {
         let Some(folder) = &self.folder else { return make() };
-        let path = folder.join(name(inputs));
+        let path = folder.join(name(&[&[SOURCES], inputs].concat()));
         if let Some(kept) = std::fs::read(&path).ok().filter(|kept| kept.len() == 4 * count) {
             return Ok(bytemuck::pod_collect_to_vec(&kept));
         }

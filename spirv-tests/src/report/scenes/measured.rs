@@ -44,7 +44,7 @@ pub type Shimmer = [Option<Figure>; 2];
 pub struct Weight {
     /// Bytes of all textures that are read.
     pub bytes: Option<usize>,
-    /// Operations of a call of the generated modules.
+    /// Operations of the heaviest function of each generated module, together.
     pub operations: Option<usize>,
 }
 

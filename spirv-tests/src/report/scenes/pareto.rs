@@ -12,7 +12,7 @@ pub fn plot(stem: &str, caption: &str, methods: &[Row], brute: &[Row]) -> Plot {
     Plot {
         stem: stem.into(),
         caption: caption.into(),
-        x: axis("ms a million pixels, one thread"),
+        x: axis("ms a million pixels"),
         y: axis("RMS error"),
         series: alone.chain([joined]).collect(),
     }

@@ -155,11 +155,14 @@ fn measured(amount: &Amount, renderers: &[Renderer], shots: &Shots) -> Result<Me
     let seconds = timing::fastest(&kernels.collect::<Result<Vec<_>, Error>>()?, TURNS)?;
     let taps = known.len() as f64;
     let entry = |(number, method): (usize, Method)| {
+        let weight = Weight::of(&[&method.module(map()?)?], 0);
+        // It calls the color of values alone, not the heaviest function of its module.
+        let operations = weight.operations.filter(|_| method != Method::Texture);
         Ok(Entry {
             label: method.label().into(),
             seconds: seconds[number] / taps * ALL_TAPS as f64,
             naive: Some(seconds[0] / taps * ALL_TAPS as f64),
-            weight: Weight::of(&[&method.module(map()?)?], 0),
+            weight: Weight { operations, ..weight },
             shimmer: shots.methods[number],
         })
     };
