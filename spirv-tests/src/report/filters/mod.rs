@@ -27,15 +27,20 @@ use summary::Done;
 const ABOUT: &str = "Each filter alone, over random statistics of pixels: means evenly over the scene's ranges, \
     deviations evenly in their logarithm, slopes of two deviations with a correlation, views and lights from which \
     the mean surface is seen. A pixel's error is that of its worst channel against the integral, by quadrature in \
-    f64; standard errors are from four seeds. Times are those of kernels that read a pixel's statistics and write its \
-    color, all of a case by turns in one run, the fastest of 31 turns each; on a processor by one thread.";
+    f64. What stands behind ± is the spread over four seeds by the jackknife: a standard error of root mean squares, \
+    and of percentiles and largest errors only how much they differ between seeds. Times are those of kernels that \
+    read a pixel's statistics and write its color, all of a case by turns in one run, the \
+    fastest of 31 turns each; on a processor by one thread. Samples are timed over fewer pixels the more there are, \
+    which do not fill a GPU: there their times are too long, and speeds over them too high.";
 
 /// What brute force is.
 const BRUTE: &str = "Brute force is what a renderer does without a filter: k × k jittered strata of the pixel, in \
-    each of which the map is evaluated at a sample. Values and heights turn across the pixel in one direction, slopes \
-    in both: the best case, as those of a noise turn many times within a pixel and are stratified less. Heights are \
-    drawn from those that the view sees, as rays find them, and count by the chance that light reaches them; slopes \
-    are drawn from all and count by the area that the view sees of them. The errors are against the same integral, so \
+    each of which the map is evaluated at a sample. Values, heights and percentiles turn across the pixel in one \
+    direction, so that k strata tell them apart, with k samples each; slopes turn in both. In the combination heights \
+    and values have k × k strata of their own, and of a curve's heights the samples hide each other from the highest \
+    of k × k strata down. Heights are drawn from those that the view sees, as rays find them, and count by the chance \
+    that light reaches them; slopes are drawn from all and count by the area that the view sees of them. A noise that \
+    turns many times within a pixel is stratified less, and needs more. The errors are against the same integral, so \
     that they are those of sampling alone.";
 
 /// What times behind a driver are.

@@ -50,9 +50,11 @@ fn case(name: &str) -> Result<Case, Error> {
         let module = scene().slope_tier(slopes).tier(tier).module()?;
         Ok(Row::of(role, format!("{slopes} over {tier}"), module))
     };
+    let mut paper = of(Role::Paper, SlopeTier::Gaussian, exact)?;
+    paper.label = "the paper's single Gaussian, over the exact closed form".to_owned();
     let mut rows = vec![
         Row::of(Role::Naive, "naive: the mean slope", scene().slope_tier(SlopeTier::Naive).module()?),
-        of(Role::Paper, SlopeTier::Gaussian, exact)?,
+        paper,
         of(Role::Independent, SlopeTier::Unweighted, fast)?,
     ];
     for tier in [Tier::Table, fast] {

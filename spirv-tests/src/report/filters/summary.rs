@@ -102,8 +102,9 @@ pub fn asked(done: &[Done]) -> Table {
         }
     }
     let caption = "What was asked of what a scene without settings chooses: the time over that of the naive map \
-        behind the same driver on a GPU, and the speed over stratified samples wherever more than 100 are needed.";
-    let columns = ["filter", "asked", "measured", "met"].map(str::to_owned).to_vec();
+        behind the same driver, which is asked of GPUs, and the speed over stratified samples wherever more than 100 are \
+        needed, which is asked of every device.";
+    let columns = ["filter", "asked, ratios of a GPU", "on this device", "within"].map(str::to_owned).to_vec();
     Table { stem: "filters_asked".to_owned(), caption: caption.to_owned(), columns, rows }
 }
 
