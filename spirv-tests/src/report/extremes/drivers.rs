@@ -16,7 +16,9 @@ use super::cases::Case;
 use super::footprints::Footprint;
 use super::outcome::Outcome;
 use super::pyramids;
+use crate::contract::{Contract, Promise};
 use crate::exports::ExportKernel;
+use crate::kernel::Function;
 
 /// What knows a footprint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -99,6 +101,26 @@ impl Source {
             Self::Cosines => Driver::Cosines(Cosines { waves: waves(), mean: 0.0, ..Cosines::default() }),
             Self::Moments | Self::FourMoments | Self::SlopeMoments => return None,
         })
+    }
+
+    /// What the shelf promises of the mean within its domain: not far from the origin, nor of halves.
+    pub fn promise(self, case: Case) -> Result<Option<f64>, String> {
+        if matches!(case, Case::FarFromOrigin | Case::HalfTables) {
+            return Ok(None);
+        }
+        let (function, most) = match self {
+            Self::Pattern => ("pulse_train", 1.0),
+            Self::Noise => ("perlin_filter", 1.0 / PERLIN.sqrt()),
+            Self::Moments => ("moments_read", 1.0),
+            Self::FourMoments => ("four_moments_read", 1.0),
+            Self::SlopeMoments => ("slope_moments_read", 1.0),
+            // Their functions promise parts of a sum.
+            Self::Gabor | Self::Cosines => return Ok(None),
+        };
+        match Contract::of(&Function::of_shelf(function)?)?.promise {
+            Promise::Absolute(error) => Ok(Some(error * most)),
+            Promise::Relative(_) | Promise::Mixed(_) | Promise::Exact => Ok(None),
+        }
     }
 
     /// How far a mean may be from 0: the hull of what there is.
@@ -193,13 +215,14 @@ fn driven(device: &Device, source: Source, case: Case, count: usize) -> Result<O
     let dimensions = if source == Source::Gabor { 3 } else { 2 };
     let numbers: Vec<f32> = footprints.iter().flat_map(|footprint| footprint.numbers(dimensions)).collect();
     let found = ExportKernel::new(device, &module, export).and_then(|kernel| kernel.run(&numbers)).map_err(failed)?;
-    let mut outcome = Outcome::new(source.name(), case, None);
+    let bound = source.promise(case)?;
+    let mut outcome = Outcome::new(source.name(), case, bound);
     let [low, high] = source.hull();
     for (footprint, [mean, variance, ..]) in footprints.iter().zip(found) {
         let mean = f64::from(mean);
         let sound = (low..=high).contains(&mean) && mean.is_finite() && variance.is_finite() && variance >= 0.0;
         outcome.count(footprint, sound);
-        outcome.judge(footprint, &[mean], &[source.truth(case, footprint)], false);
+        outcome.judge(footprint, &[mean], &[source.truth(case, footprint)], bound.is_some());
     }
     Ok(outcome)
 }

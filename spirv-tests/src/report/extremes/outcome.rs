@@ -19,7 +19,7 @@ pub struct Outcome {
     pub promised: usize,
     /// The largest error at those.
     pub promised_error: f64,
-    /// The bound; drivers have none.
+    /// The module's bound, of a driver the promise of the shelf, where there is one.
     pub bound: Option<f64>,
     /// Results that are no number, that leave the hull of colors or values, or shares beyond 0 to 1.
     pub violations: usize,

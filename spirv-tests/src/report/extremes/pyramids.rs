@@ -107,12 +107,13 @@ pub fn read(device: &Device, source: Source, case: Case, count: usize) -> Result
     };
     let points: Vec<Vec<f64>> = Footprint::all(case, Some(0.5), count).iter().map(point).collect();
     let found = Function::of_shelf(name)?.results(device, &textures.iter().collect::<Vec<_>>(), &points)?;
-    let mut outcome = Outcome::new(source.name(), case, None);
+    let bound = source.promise(case)?;
+    let mut outcome = Outcome::new(source.name(), case, bound);
     let slack = if case == Case::HalfTables { HALVES } else { 1e-6 };
     for (point, found) in points.iter().zip(found) {
         outcome.count(point, sound(source, &found, slack));
         let truth = truth([point[0], point[1]], [point[2], point[3], point[4]]);
-        outcome.judge(point, &found, &truth, false);
+        outcome.judge(point, &found, &truth, bound.is_some());
     }
     Ok(outcome)
 }

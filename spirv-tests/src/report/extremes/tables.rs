@@ -25,11 +25,17 @@ pub fn items(bench: &Bench<'_>, count: usize) -> Result<Vec<Item>, Error> {
         drivers.extend(drivers::outcomes(bench.device, source, count).map_err(Error::Measured)?);
         (bench.done)(1);
     }
+    let broken = filters.iter().chain(&drivers).filter(|outcome| !outcome.holds());
+    let broken: Vec<String> = broken.map(|outcome| format!("{}, {}", outcome.subject, outcome.case.name())).collect();
+    let held = if broken.is_empty() { "All hold.".to_owned() } else { format!("Broken: {}.", broken.join("; ")) };
     let text = format!(
         "Every filter and driver where it is hard, at {count} points a case. An error is the largest of a channel \
-         against quadratures in f64, wherever there is a truth: what is not seen has no color. Most cases go beyond \
-         what scenes declare; bounds hold where they are promised, and everywhere results are numbers in the hull of \
-         the colors, of the values and of shares from 0 to 1. A test asks for that."
+         against f64, wherever there is a truth: what is not seen has no color. Truths of filters are quadratures of \
+         their integrals, where deviations beyond the ranges count as the largest, as `Ranges` says; those of Gabor \
+         noise, stripes and waves are exact means, of Perlin's noise its own model's mean, of pyramids what the model \
+         of a read makes of the image. Most cases go beyond what scenes declare: bounds are asked for where they are \
+         promised, and numbers in the hull of the colors, of values and of shares everywhere; a test asks for that, \
+         too. {held}"
     );
     Ok(vec![
         Item::Text(text),
