@@ -3,15 +3,16 @@
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
 
-/// The references and what makes them of maps, what samples pictures, and the images.
-const FOLDERS: [&str; 4] = ["../src/reference", "../src/transfer", "src/imaging", "../examples/data"];
+/// The references and what makes them of maps, what samples pictures, maps, random numbers, and images.
+const PLACES: [&str; 6] =
+    ["../src/reference", "../src/transfer", "src/imaging", "src/maps.rs", "src/random.rs", "../examples/data"];
 
-/// The hash; every folder is watched.
+/// The hash; every place is watched.
 pub fn hash() -> std::io::Result<u64> {
     let mut hasher = DefaultHasher::new();
-    for folder in FOLDERS {
-        println!("cargo::rerun-if-changed={folder}");
-        for path in files(Path::new(folder))? {
+    for place in PLACES {
+        println!("cargo::rerun-if-changed={place}");
+        for path in files(Path::new(place))? {
             path.hash(&mut hasher);
             std::fs::read(&path)?.hash(&mut hasher);
         }
@@ -19,16 +20,14 @@ pub fn hash() -> std::io::Result<u64> {
     Ok(hasher.finish())
 }
 
-/// All files below a folder, by their names.
-fn files(folder: &Path) -> std::io::Result<Vec<PathBuf>> {
+/// A file, or all below a folder by their names.
+fn files(place: &Path) -> std::io::Result<Vec<PathBuf>> {
+    if place.is_file() {
+        return Ok(vec![place.to_path_buf()]);
+    }
     let mut found = Vec::new();
-    for entry in std::fs::read_dir(folder)? {
-        let path = entry?.path();
-        if path.is_dir() {
-            found.extend(files(&path)?);
-        } else {
-            found.push(path);
-        }
+    for entry in std::fs::read_dir(place)? {
+        found.extend(files(&entry?.path())?);
     }
     found.sort();
     Ok(found)

@@ -23,7 +23,7 @@ struct Arguments {
     #[arg(long, value_name = "PART", value_parser = part)]
     only: Vec<Part>,
     /// Write the whole report to `docs` and the README's tables, too, where this is the workspace's folder.
-    #[arg(long, conflicts_with_all = ["quick", "only"])]
+    #[arg(long, conflicts_with = "only")]
     publish: bool,
     /// The folder of the report; made if need be.
     #[arg(long, value_name = "DIR", default_value = "target/report")]

@@ -14,7 +14,6 @@ pub mod page;
 pub mod plot;
 pub mod publish;
 pub mod scenes;
-pub mod sources;
 pub mod timing;
 
 use cache::Cache;

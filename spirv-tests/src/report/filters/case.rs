@@ -134,7 +134,7 @@ pub struct Case {
     pub share: usize,
     /// The integral.
     pub truth: Truth,
-    /// All texts that the truth depends on.
+    /// The texts that the truth depends on, but for references and transfers, on which all do.
     pub sources: Vec<&'static str>,
     /// The same by stratified samples.
     pub brute: Brute,

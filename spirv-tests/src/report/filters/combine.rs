@@ -4,7 +4,7 @@ use super::brute::Brute;
 use super::case::{Case, Role, Row};
 use super::height::{self, hiding, visible, LAMBDA};
 use super::maps::naive;
-use super::slope::{seen, SOURCES};
+use super::slope::{seen, SOURCE};
 use crate::report::Error;
 use prefilter::reference::{height as heights, steepness, texture};
 use prefilter::{ColorMap, Combination, HeightTier, Kernel, Scene, SlopeTier, Tier};
@@ -78,19 +78,7 @@ pub fn cases(_: usize) -> Result<Vec<Case>, Error> {
             let of = |c: usize| grain[c] * rock[c] * (1.0 - high[c]) + snow[c] * high[c];
             [of(0), of(1), of(2), 0.0]
         }),
-        sources: [
-            &SOURCES[..],
-            &[
-                include_str!("combine.rs"),
-                include_str!("height.rs"),
-                include_str!("../../../../src/reference/texture.rs"),
-                include_str!("../../../../src/reference/height.rs"),
-                include_str!("../../../../src/reference/heights.rs"),
-                include_str!("../../../../src/reference/smith.rs"),
-                include_str!("../../../../src/reference/steepness.rs"),
-            ],
-        ]
-        .concat(),
+        sources: vec![SOURCE, include_str!("combine.rs"), include_str!("height.rs"), include_str!("maps.rs")],
         brute: Brute {
             modules: plain,
             parameters: "mean: f32, deviation: f32, grain_mean: f32, grain_deviation: f32, mean_slope: vec2f, \

@@ -73,15 +73,7 @@ fn case(name: &str) -> Result<Case, Error> {
         drawn: DRAWN,
         share: 2,
         truth: Box::new(move |pixel| height::mean(&reference, pixel.mean, pixel.deviation, hiding(pixel))),
-        sources: vec![
-            include_str!("height.rs"),
-            include_str!("../../../../src/reference/height.rs"),
-            include_str!("../../../../src/reference/heights.rs"),
-            include_str!("../../../../src/reference/smith.rs"),
-            include_str!("../../../../src/reference/quadrature.rs"),
-            include_str!("../../../../src/reference/normal.rs"),
-            include_str!("../../../../examples/data/colormaps.json"),
-        ],
+        sources: vec![include_str!("height.rs"), include_str!("maps.rs")],
         brute: Brute {
             modules: vec![plain],
             parameters: "mean: f32, deviation: f32, slope_covariance: vec3f, view: vec3f, light: vec3f",

@@ -99,14 +99,7 @@ fn case(name: &str) -> Result<Case, Error> {
         },
         share: 8,
         truth: Box::new(truth),
-        sources: vec![
-            include_str!("height_transfer.rs"),
-            include_str!("../../../../src/reference/slope_nodes.rs"),
-            include_str!("../../../../src/reference/slopes/standard.rs"),
-            include_str!("../../../../src/reference/normal.rs"),
-            include_str!("../../../../src/transfer/height_transfer.rs"),
-            include_str!("../../../../examples/data/colormaps.json"),
-        ],
+        sources: vec![include_str!("height_transfer.rs"), include_str!("maps.rs")],
         brute: Brute {
             modules: vec![plain],
             parameters: "mean: f32, deviation: f32, slope_covariance: vec3f, view: vec3f, light: vec3f",

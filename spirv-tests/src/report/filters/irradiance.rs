@@ -2,7 +2,7 @@
 
 use super::brute::Brute;
 use super::case::{Case, Role, Row};
-use super::slope::{seen, DRAWN, SAMPLE, SOURCES};
+use super::slope::{seen, DRAWN, SAMPLE, SOURCE};
 use crate::report::Error;
 use prefilter::reference::normals::average;
 use prefilter::{Irradiance, IrradianceTier, Scene};
@@ -53,15 +53,7 @@ pub fn cases(_: usize) -> Result<Vec<Case>, Error> {
                 [sum(0), sum(1), sum(2), 0.0]
             })
         }),
-        sources: [
-            &SOURCES[..],
-            &[
-                include_str!("irradiance.rs"),
-                include_str!("../../../../src/reference/normals.rs"),
-                include_str!("../../../../src/transfer/irradiance.rs"),
-            ],
-        ]
-        .concat(),
+        sources: vec![SOURCE, include_str!("irradiance.rs")],
         brute: Brute {
             modules: vec![plain],
             parameters: "mean_slope: vec2f, slope_covariance: vec3f, view: vec3f, x: vec3f, y: vec3f, z: vec3f",

@@ -8,7 +8,6 @@ use crate::exports::ExportKernel;
 use crate::gap::figure::{over_seeds, Figure};
 use crate::imaging::measure::{sizes, worst};
 use crate::random::Random;
-use crate::report::sources::TRUTHS;
 use crate::report::timing::{fastest, TURNS};
 use crate::report::{Bench, Error};
 use prefilter::gpu::Dispatch;
@@ -143,7 +142,7 @@ pub fn pixels(case: &Case, count: usize) -> Vec<Vec<Pixel>> {
 fn truth(bench: &Bench<'_>, case: &Case, pixels: &[Vec<Pixel>], count: usize) -> Result<Vec<[f32; 3]>, Error> {
     let drawn = format!("{} {:?} {count}", case.stem, case.drawn);
     let common = [drawn.as_str(), include_str!("pixel.rs")];
-    let inputs: Vec<&str> = common.into_iter().chain(case.sources.iter().copied()).chain(TRUTHS).collect();
+    let inputs: Vec<&str> = common.into_iter().chain(case.sources.iter().copied()).collect();
     let kept = bench.cache.numbers(&inputs, 3 * SEEDS * count, || {
         let of = |seed: u64| -> Vec<f32> {
             let colors = pixels[seed as usize].iter().map(|pixel| (case.truth)(pixel));

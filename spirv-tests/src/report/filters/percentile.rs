@@ -40,15 +40,7 @@ fn case(name: &str) -> Result<Case, Error> {
         drawn: DRAWN,
         share: 8,
         truth: Box::new(move |pixel| percentile::mean_by_ranks(&reference, hiding(pixel))),
-        sources: vec![
-            include_str!("height.rs"),
-            include_str!("percentile.rs"),
-            include_str!("../../../../src/reference/percentile.rs"),
-            include_str!("../../../../src/reference/smith.rs"),
-            include_str!("../../../../src/reference/quadrature.rs"),
-            include_str!("../../../../src/reference/normal.rs"),
-            include_str!("../../../../examples/data/colormaps.json"),
-        ],
+        sources: vec![include_str!("height.rs"), include_str!("percentile.rs"), include_str!("maps.rs")],
         brute: Brute {
             modules: vec![plain],
             parameters: "slope_covariance: vec3f, view: vec3f, light: vec3f",

@@ -32,14 +32,8 @@ pub const SAMPLE: &str = "let slope = brute_slope(point, mean_slope, slope_covar
 pub const DRAWN: Drawn =
     Drawn { mean: [0.0, 1.0], deviation: [0.01, 0.5], slope: 0.4, slope_deviation: [0.05, 0.5], rise: 0.05 };
 
-/// Texts that means over visible slopes depend on.
-pub const SOURCES: [&str; 5] = [
-    include_str!("slope.rs"),
-    include_str!("../../../../src/reference/slopes/mod.rs"),
-    include_str!("../../../../src/reference/footprint.rs"),
-    include_str!("../../../../src/reference/quadrature.rs"),
-    include_str!("../../../../src/reference/normal.rs"),
-];
+/// The text of what is seen of slopes.
+pub const SOURCE: &str = include_str!("slope.rs");
 
 fn case(name: &str) -> Result<Case, Error> {
     let map = spread(&named(name)?, -0.8, 0.8)?;
@@ -70,16 +64,7 @@ fn case(name: &str) -> Result<Case, Error> {
         drawn: DRAWN,
         share: 8,
         truth: Box::new(move |pixel| slope::mean(&reference, &seen(pixel), pixel.direction)),
-        sources: [
-            &SOURCES[..],
-            &[
-                include_str!("maps.rs"),
-                include_str!("../../../../src/reference/slope.rs"),
-                include_str!("../../../../src/reference/texture.rs"),
-                include_str!("../../../../examples/data/colormaps.json"),
-            ],
-        ]
-        .concat(),
+        sources: vec![SOURCE, include_str!("maps.rs")],
         brute: Brute {
             modules: vec![plain],
             parameters: "mean_slope: vec2f, slope_covariance: vec3f, view: vec3f, direction: vec2f",

@@ -2,7 +2,7 @@
 
 use super::brute::Brute;
 use super::case::{Case, Role, Row};
-use super::slope::{seen, DRAWN, SAMPLE, SOURCES};
+use super::slope::{seen, DRAWN, SAMPLE, SOURCE};
 use crate::report::Error;
 use prefilter::{Scene, SlopeDomain, SlopeMap, SlopeTaps, SlopeTier};
 
@@ -73,11 +73,7 @@ fn case(snow: &Snow) -> Result<Case, Error> {
         drawn: DRAWN,
         share: 32,
         truth: Box::new(move |pixel| reference.mean_visible(&seen(pixel))),
-        sources: [
-            &SOURCES[..],
-            &[include_str!("slope_map.rs"), include_str!("../../../../src/reference/slope_map.rs")],
-        ]
-        .concat(),
+        sources: vec![SOURCE, include_str!("slope_map.rs"), include_str!("maps.rs")],
         brute: Brute {
             modules: Vec::new(),
             parameters: "mean_slope: vec2f, slope_covariance: vec3f, view: vec3f",

@@ -3,7 +3,7 @@
 use super::brute::Brute;
 use super::case::{Case, Role, Row};
 use super::maps::{naive, named};
-use super::slope::{seen, DRAWN, SAMPLE, SOURCES};
+use super::slope::{seen, DRAWN, SAMPLE, SOURCE};
 use crate::report::Error;
 use prefilter::reference::steepness;
 use prefilter::{Scene, SlopeTier};
@@ -36,15 +36,7 @@ fn case(name: &str) -> Result<Case, Error> {
         drawn: DRAWN,
         share: 16,
         truth: Box::new(move |pixel| steepness::mean(&reference, &seen(pixel))),
-        sources: [
-            &SOURCES[..],
-            &[
-                include_str!("steepness.rs"),
-                include_str!("../../../../src/reference/steepness.rs"),
-                include_str!("../../../../examples/data/colormaps.json"),
-            ],
-        ]
-        .concat(),
+        sources: vec![SOURCE, include_str!("steepness.rs"), include_str!("maps.rs")],
         brute: Brute {
             modules: vec![plain],
             parameters: "mean_slope: vec2f, slope_covariance: vec3f, view: vec3f",

@@ -45,13 +45,7 @@ fn case(name: &str) -> Result<Case, Error> {
         },
         share: 1,
         truth: Box::new(move |pixel| texture::mean(&reference, pixel.mean, pixel.deviation)),
-        sources: vec![
-            include_str!("texture.rs"),
-            include_str!("../../../../src/reference/texture.rs"),
-            include_str!("../../../../src/reference/quadrature.rs"),
-            include_str!("../../../../src/reference/normal.rs"),
-            include_str!("../../../../examples/data/colormaps.json"),
-        ],
+        sources: vec![include_str!("texture.rs"), include_str!("maps.rs")],
         brute: Brute {
             modules: vec![plain],
             parameters: "mean: f32, deviation: f32",

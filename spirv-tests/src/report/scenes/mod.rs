@@ -55,8 +55,8 @@ pub fn section(bench: &Bench<'_>) -> Result<Section, Error> {
 /// What all tables have alike.
 const LEGEND: &str = "\
     Errors are those of a pixel's worst channel, in linear color, against supersampling that shares no pyramid, \
-    table or formula with the methods, over the pixels where truth and methods see something. RMS: without the variance \
-    of the truth, which 99 % and max still have; the error of a maximum is how much those of the places differ. \
+    table or formula with the methods, over the pixels where truth and methods see something. RMS: without the \
+    variance of the truth, which 99 % and max still have; the error of a maximum is how much those of the places differ. \
     Shimmer: the deviation of the error over the frames of a zoom and of a sub-pixel pan, root mean square over the \
     pixels that the surface covers in all frames, without the truth's own; that of many samples is not measured where \
     the truth has not many more. ms/Mpixel: the fastest of 31 turns that all kernels of a scene take on the device, \
