@@ -82,6 +82,17 @@ impl Ranges {
 }
 
 /// The largest filter error that a scene accepts, and the means allowed to keep it.
+///
+/// Of the tiers of what is filtered, of the tiers of the color map that these stand on, of the numbers of reads and of
+/// the sizes of tables the scene takes the lightest by [`Cost::weight`](crate::Cost::weight), and of those the one with
+/// the fewest bytes of tables, whose [`Bound`] over the scene's [`Ranges`] is at most this; where none is,
+/// [`Scene::module`](crate::Scene::module) says with [`Error::Accuracy`] which is the closest. What the scene names is
+/// not chosen, and a bound without it is what counts. A combination shares its accuracy among its layers; of
+/// transferred heights nodes and filter do.
+///
+/// The error is the filter's alone, given what is known of a footprint. How far the driver is from that, its
+/// [`Taps`](crate::Taps) included, depends on the image or function and has no bound: the driver's gap, which
+/// [`Module::explain`](crate::Module::explain) states in words and figures. No accuracy chooses taps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Accuracy {
@@ -126,7 +137,8 @@ impl Accuracy {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Bound {
     /// Summed from the promises of the shelf functions and the step errors of [`HeightTier`](crate::HeightTier)s and
-    /// [`SlopeTier`](crate::SlopeTier)s, which the crate's tests enforce.
+    /// [`SlopeTier`](crate::SlopeTier)s, each times the variation of the map that deviations reach at once, which the
+    /// crate's tests enforce.
     Guaranteed(f32),
     /// Twice the largest error that was measured between the texels of a table. A sampler that keeps 8 bits of the
     /// fraction between texels, as many do, errs by up to 1/512 of the difference between neighbors besides. Of a map

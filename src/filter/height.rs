@@ -19,6 +19,7 @@ pub(crate) mod tails;
 pub(crate) mod tier;
 pub(crate) mod transferred;
 
+use super::envelope::largest_error;
 use super::texture::{color, number, returned, Filter};
 use crate::accuracy::{Bound, Ranges};
 use crate::transfer::color_map::{ColorMap, Colors};
@@ -66,8 +67,22 @@ pub(crate) fn over(
     let (statement, [mean, width]) = visible(&moments, surface);
     let clamped = clamped(surface, ranges);
     let body = format!("{clamped}{statement}    return {name}_texture({mean}, {width}{arguments});\n");
+    texture.beneath(map, model_error(map, tier, surface, ranges), body)
+}
+
+/// The largest error of a map over what stands for the visible heights, by a tier over C0.
+pub(crate) fn model_error(map: &ColorMap, tier: HeightTier, surface: Microsurface, ranges: Ranges) -> f64 {
     let step = step_error(tier, surface, tier::rounded(tier, ranges));
-    texture.beneath(map, variation(map) * step, body)
+    if !reaches(tier, surface) {
+        return step * variation(map);
+    }
+    let within = largest_error(map, &tier::ENVELOPE, f64::from(tier::WIDTH * ranges.deviation));
+    within + (step - tier::GAUSSIAN) * variation(map)
+}
+
+/// Whether steps far from the mean are known to err by less. With noise they are those of a sum.
+pub(crate) fn reaches(tier: HeightTier, surface: Microsurface) -> bool {
+    tier == HeightTier::Gaussian && !surface.perturbed
 }
 
 /// The filter of bands by the distribution itself: a probability an edge.

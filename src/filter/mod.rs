@@ -2,6 +2,7 @@
 
 pub mod combine;
 pub mod distribution;
+pub(crate) mod envelope;
 pub mod height;
 pub mod height_transfer;
 pub mod irradiance;

@@ -7,6 +7,7 @@
 //! Source: Heitz, Nowrouzezahrai, Poulin and Neyret 2014, "Filtering Non-Linear Transfer Functions on Surfaces",
 //! section 5.2, equation 18.
 
+use super::envelope::{largest_error, Envelope};
 use super::height::variation;
 use super::shared::{statements, Shared};
 use super::texture::{color_type, Filter};
@@ -56,6 +57,23 @@ const UNWEIGHTED: f64 = 0.579;
 const GAUSSIAN: f64 = 4.66e-2;
 const PAIR: f64 = 1.19e-2;
 
+/// The same by the distance of the step from the mean of the visible slopes' component, in its deviations, for one and
+/// for two normal distributions: `steps_far_from_the_mean_keep_their_figures`, in the same file.
+const ENVELOPE: [[f64; 2]; 10] = [
+    [0.0, GAUSSIAN],
+    [0.5, 4e-2],
+    [0.75, 3.52e-2],
+    [1.75, 3.46e-2],
+    [2.0, 2.4e-2],
+    [2.25, 1.3e-2],
+    [2.5, 9.3e-3],
+    [3.0, 4.4e-3],
+    [4.0, 6e-4],
+    [5.0, 3.6e-5],
+];
+const ENVELOPE_OF_TWO: [[f64; 2]; 7] =
+    [[0.0, PAIR], [2.0, 8.4e-3], [2.25, 5.2e-3], [2.5, 4.6e-3], [3.0, 3.1e-3], [3.5, 1.5e-3], [4.0, 5.5e-4]];
+
 /// What rounding adds: φ(0) times 2^-24 of the largest mean over the smallest deviation, 1e-3 of it, for each of three
 /// sums; and of the parameter at a reach of 1e-3.
 const ROUNDED: f64 = 2e-4;
@@ -78,6 +96,19 @@ pub(crate) fn step_error(tier: SlopeTier, ranges: Ranges) -> f64 {
         SlopeTier::Pair => PAIR,
     };
     model + rounded
+}
+
+/// The largest error of a map over what stands for the visible slopes.
+pub(crate) fn model_error(map: &ColorMap, tier: SlopeTier, ranges: Ranges) -> f64 {
+    let step = step_error(tier, ranges);
+    let within = |envelope: &Envelope| {
+        largest_error(map, envelope, ranges.deviation.into()) + (step - envelope[0][1]) * variation(map)
+    };
+    match tier {
+        SlopeTier::Naive | SlopeTier::Unweighted => step * variation(map),
+        SlopeTier::Gaussian => within(&ENVELOPE),
+        SlopeTier::Pair => within(&ENVELOPE_OF_TWO),
+    }
 }
 
 /// The largest mean slope that bounds hold for: across the component it may be 1 whatever the component's means are,
@@ -148,7 +179,7 @@ pub(crate) fn over(
             colored("high")
         ),
     };
-    texture.beneath(map, variation(map) * step_error(tier, ranges), body)
+    texture.beneath(map, model_error(map, tier, ranges), body)
 }
 
 /// What `NAME_slope` takes between the slopes' statistics and the tables, each behind a comma.

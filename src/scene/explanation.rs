@@ -13,6 +13,7 @@ use crate::cost::Cost;
 use crate::driver::Driver;
 use crate::filter::combine::Reflectance;
 use crate::filter::distribution::Distribution;
+use crate::filter::envelope::varied;
 use crate::filter::height::{self, surface, tier, HeightTier};
 use crate::filter::height_transfer::TransferTier;
 use crate::filter::slope::SlopeTier;
@@ -137,10 +138,8 @@ impl Scene {
     /// What the bound of a tier of heights is made of, and the Λ and deviations that it holds for.
     fn covered(&self, tier: HeightTier, map: &ColorMap) -> String {
         let floor = tier::floor(tier, self.chosen_ranges());
-        let (step, variation) = (
-            surface::step_error(tier, self.microsurface, tier::rounded(tier, self.chosen_ranges())),
-            height::variation(map),
-        );
+        let step = surface::step_error(tier, self.microsurface, tier::rounded(tier, self.chosen_ranges()));
+        let varied = varied(map, height::model_error(map, tier, self.microsurface, self.chosen_ranges()) / step);
         let reach = if tier == HeightTier::Exact {
             "Λ of a direction to 5.2e5"
         } else {
@@ -158,9 +157,7 @@ impl Scene {
             format!("deviations{sum} from {floor:.1e}")
         };
         let beyond = if tier == HeightTier::Skewed { "beyond the table " } else { "" };
-        format!(
-            "{reach}, {deviations}{tilted}: {beyond}a step errs by {step:.1e}, times the total variation {variation:.3}"
-        )
+        format!("{reach}, {deviations}{tilted}: {beyond}a step errs by {step:.1e}, times {varied}")
     }
 
     fn reason(&self, chosen: &Candidate) -> String {

@@ -3,8 +3,8 @@
 use super::candidate::{arguments, parameters, Candidate, Over, Text};
 use super::sizes::of_texels;
 use super::Scene;
-use crate::filter::height::variation;
-use crate::filter::slope::{floor, given, glue, over, steepest, step_error, texture_ranges, SlopeTier};
+use crate::filter::envelope::varied;
+use crate::filter::slope::{floor, given, glue, model_error, over, steepest, step_error, texture_ranges, SlopeTier};
 use crate::filter::texture::{color_type, filter, NODES};
 use crate::filter::{Kernel, Tier};
 use crate::transfer::color_map::{ColorMap, Colors};
@@ -84,11 +84,11 @@ impl Scene {
         };
         format!(
             "{views}, deviations of the component from {:.1e}, slope correlations to 0.9, mean slopes to {}: a step \
-             errs by {:.1e}, times the total variation {:.3}",
+             errs by {:.1e}, times {}",
             floor(ranges),
             steepest(ranges),
             step_error(tier, ranges),
-            variation(map)
+            varied(map, model_error(map, tier, ranges) / step_error(tier, ranges))
         )
     }
 }

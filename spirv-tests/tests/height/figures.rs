@@ -38,8 +38,8 @@ fn references_agree() -> Outcome {
     Ok(())
 }
 
-/// A step, seen from directions whose Λ add up to no more than a limit.
-fn step_error(device: &Device, tier: HeightTier, limit: f64) -> Result<f64, Fault> {
+/// A step at 0 by a tier, and heights about it.
+fn steps(tier: HeightTier) -> Result<(Scene, Vec<Call>), Fault> {
     let step = ColorMap::bands([0.0; 3], [(0.0, [1.0; 3])])?;
     let ranges = Ranges { mean: (-6.0, 3.0), deviation: 1.0 };
     let scene = Scene::new("edge").height(step.clone()).height_tier(tier).ranges(ranges);
@@ -58,8 +58,52 @@ fn step_error(device: &Device, tier: HeightTier, limit: f64) -> Result<f64, Faul
         let heights = (-60..=100).map(|at| 0.05 * at as f32).chain([-1e-4, 1e-4].map(|off| visible as f32 + off));
         calls.extend(heights.map(|at| Call::new(-at, 1.0, [0.25, 0.0, 0.25], view, [0.0, 0.0, 1.0])));
     }
+    Ok((scene, calls))
+}
+
+/// A step, seen from directions whose Λ add up to no more than a limit.
+fn step_error(device: &Device, tier: HeightTier, limit: f64) -> Result<f64, Fault> {
+    let (scene, mut calls) = steps(tier)?;
     calls.retain(|call| call.lambda <= limit);
     error(device, &scene, &calls)
+}
+
+/// A normal distribution, by the distance of the step from the mean visible height in deviations of the visible.
+#[test]
+fn steps_far_from_the_mean_keep_their_figures() -> Outcome {
+    let device = Device::new()?;
+    let (scene, mut calls) = steps(HeightTier::Gaussian)?;
+    calls.retain(|call| call.lambda <= 1e4);
+    let apart = |call: &Call| {
+        let [mean, deviation, ..] = call.numbers.map(f64::from);
+        let [visible, width, ..] = moments(call.lambda);
+        (mean / deviation + visible).abs() / width
+    };
+    let calls: Vec<(f64, Call)> = calls.into_iter().map(|call| (apart(&call), call)).collect();
+    let mut wide = Vec::new();
+    // From the farthest on: those between two distances are judged once.
+    let (mut found, mut until) = (0.0f64, f64::INFINITY);
+    for (from, figure) in [
+        (5.0, 4.2e-4),
+        (4.0, 2.3e-3),
+        (3.0, 8.8e-3),
+        (2.5, 1.45e-2),
+        (2.0, 2.15e-2),
+        (1.75, 3.05e-2),
+        (1.0, 3.58e-2),
+        (0.5, 4.2e-2),
+    ] {
+        let between = calls.iter().filter(|call| (from..until).contains(&call.0));
+        let between: Vec<Call> = between.map(|call| call.1.clone()).collect();
+        found = found.max(error(&device, &scene, &between)?);
+        println!("from {from} deviations on a step errs by {found:.3e}, {figure:.2e}");
+        if !(found <= figure && 1.2 * found >= figure) {
+            wide.push((from, found));
+        }
+        until = from;
+    }
+    assert!(wide.is_empty(), "{wide:?}");
+    Ok(())
 }
 
 #[test]

@@ -81,13 +81,13 @@ fn errors(device: &Device, scene: &Scene, calls: &[Call]) -> Result<[f64; 2], Fa
     Ok(worst)
 }
 
-/// The largest error of a step at 0, seen along and against the component from the horizon of the mean surface up.
-fn step_error(device: &Device, tier: SlopeTier) -> Result<f64, Fault> {
+/// A step at 0 by a tier, seen along and against the component from the horizon of the mean surface up.
+fn steps(tier: SlopeTier) -> Result<(Scene, Vec<Call>), Fault> {
     let step = ColorMap::bands([0.0; 3], [(0.0, [1.0; 3])])?;
     let ranges = Ranges { mean: (-4.0, 4.0), deviation: 1.0 };
     let scene = Scene::new("edge").slope(step.clone()).slope_tier(tier).ranges(ranges).tier(EXACT);
     let mut calls = calls(&mut Random::new(61), &step, ranges, 2000);
-    for place in -80..=80 {
+    for place in -130..=130 {
         for parameter in [1e-4, 0.1, 0.5, 1.0, 2.0, 2.8, 3.01, 4.0] {
             // Along x, where slopes have the mean s and the deviation 0.5, the parameter is 2 (z/x − s).
             let slope = 0.02 * f64::from(place);
@@ -97,7 +97,55 @@ fn step_error(device: &Device, tier: SlopeTier) -> Result<f64, Fault> {
             calls.extend([1.0, -1.0].map(|turn| (visible, [turn, 0.0])));
         }
     }
+    Ok((scene, calls))
+}
+
+/// The largest error of a step at 0.
+fn step_error(device: &Device, tier: SlopeTier) -> Result<f64, Fault> {
+    let (scene, calls) = steps(tier)?;
     Ok(errors(device, &scene, &calls)?[0])
+}
+
+const ONE: &[(f64, f64)] = &[
+    (0.5, 4e-2),
+    (0.75, 3.52e-2),
+    (1.75, 3.46e-2),
+    (2.0, 2.4e-2),
+    (2.25, 1.3e-2),
+    (2.5, 9.3e-3),
+    (3.0, 4.4e-3),
+    (4.0, 6e-4),
+    (5.0, 3.6e-5),
+];
+const TWO: &[(f64, f64)] = &[(2.0, 8.4e-3), (2.25, 5.2e-3), (2.5, 4.6e-3), (3.0, 3.1e-3), (3.5, 1.5e-3), (4.0, 5.5e-4)];
+
+/// By the distance of the step from the mean of the visible slopes' component, in its deviations.
+#[test]
+fn steps_far_from_the_mean_keep_their_figures() -> Outcome {
+    let device = Device::new()?;
+    let mut wide = Vec::new();
+    for (tier, figures) in [(SlopeTier::Gaussian, ONE), (SlopeTier::Pair, TWO)] {
+        let (scene, calls) = steps(tier)?;
+        let apart = |(visible, direction): &Call| {
+            let [mean, deviation, _] = visible.moments_along(*direction);
+            mean.abs() / deviation
+        };
+        let calls: Vec<(f64, Call)> = calls.into_iter().map(|call| (apart(&call), call)).collect();
+        // From the farthest on: those between two distances are judged once.
+        let (mut found, mut until) = (0.0f64, f64::INFINITY);
+        for (from, figure) in figures.iter().rev() {
+            let between = calls.iter().filter(|call| (*from..until).contains(&call.0));
+            let between: Vec<Call> = between.map(|call| call.1).collect();
+            found = found.max(errors(&device, &scene, &between)?[0]);
+            println!("{tier}, from {from} deviations on a step errs by {found:.3e}, {figure:.2e}");
+            if !(found <= *figure && 1.2 * found >= *figure) {
+                wide.push((tier, *from, found));
+            }
+            until = *from;
+        }
+    }
+    assert!(wide.is_empty(), "{wide:?}");
+    Ok(())
 }
 
 #[test]

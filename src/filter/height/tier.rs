@@ -51,8 +51,22 @@ impl std::fmt::Display for HeightTier {
 /// `spirv-tests/tests/height/figures.rs` measures them on the device; it fails where they are exceeded, and where they
 /// are more than 3% too wide.
 const PAPER: f64 = 0.484;
-const GAUSSIAN: f64 = 5.75e-2;
+pub(crate) const GAUSSIAN: f64 = 5.75e-2;
 const CLOSED_FORM: f64 = 3.3e-4;
+
+/// The same of a normal distribution by the distance of the step from the mean visible height, in deviations of the
+/// visible heights: `steps_far_from_the_mean_keep_their_figures`, in the same file.
+pub(crate) const ENVELOPE: [[f64; 2]; 9] = [
+    [0.0, GAUSSIAN],
+    [0.5, 4.2e-2],
+    [1.0, 3.58e-2],
+    [1.75, 3.05e-2],
+    [2.0, 2.15e-2],
+    [2.5, 1.45e-2],
+    [3.0, 8.8e-3],
+    [4.0, 2.3e-3],
+    [5.0, 4.2e-4],
+];
 
 /// What the fits of the moments add to the table's own error, by the shelf's promises at the narrowest distribution, of
 /// deviation 0.304: 7e-5 of the mean at a density of at most 1.4, 7e-5 of the deviation at 0.26/0.304, and 1.6e-3 of
@@ -78,7 +92,7 @@ const NARROW: f32 = 0.1;
 /// How far the mean of visible heights may lie above that of all and how wide they may be, in deviations of all: 4.2
 /// and 1 by the paper's fits, 3.9 and 1.001 by the others, at Λ up to 1e4.
 pub(crate) const REACH: f32 = 4.25;
-const WIDTH: f32 = 1.01;
+pub(crate) const WIDTH: f32 = 1.01;
 
 /// The means and deviations of visible heights.
 pub(crate) fn texture_ranges(ranges: Ranges) -> Ranges {

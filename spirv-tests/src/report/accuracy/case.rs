@@ -24,9 +24,11 @@ pub struct Case {
 
 pub(super) const EXACT: Tier = Tier::ClosedForm(Kernel::Exact);
 
-/// A map between two positions: of two to eight stops, smooth, with hard edges or of bands, of much contrast or little.
+/// A map between two positions: of two to twenty stops, smooth, with hard edges or of bands, of much contrast or
+/// little.
 pub(super) fn map(random: &mut Random, low: f32, high: f32, banded: bool) -> Result<ColorMap, Error> {
-    let (count, hard) = (2 + random.word() % 7, random.pick([false, false, true]));
+    let count = random.pick([2, 3, 4, 5, 6, 8, 12, 20]);
+    let hard = random.pick([false, false, false, true]);
     let contrast = random.pick([1.0, 1.0, 0.3]);
     let base = (1.0 - contrast) * random.unit() as f32;
     let mut color = || [(); 3].map(|()| base + contrast * random.unit() as f32);

@@ -1,7 +1,7 @@
 //! One scene with one budget: what is chosen for it, and how far that is from the truth.
 
 use prefilter::gpu::Device;
-use prefilter::{Error, Module};
+use prefilter::{Error, HeightTier, Kernel, Module, Scene, Tier};
 
 use super::case::Case;
 use super::filter::Filter;
@@ -29,8 +29,15 @@ pub struct Trial {
     pub cheaper: Option<bool>,
 }
 
-/// The smallest and the largest budget, between which they are even in their logarithm.
-pub const BUDGETS: [f64; 2] = [1e-4, 0.3];
+/// The largest budget.
+pub const MOST: f64 = 0.3;
+
+/// The smallest and the largest budget that is drawn first, between which they are even in their logarithm: half a step
+/// of colors of eight bits is the least that anybody sees. Filters of values are asked for more.
+fn budgets(filter: Filter) -> [f64; 2] {
+    let least = if filter == Filter::Texture { 1e-4 } else { 1.0 / 510.0 };
+    [least, MOST]
+}
 
 /// Draws and judges a scene, at so many times the usual count of pixels. Where no tier keeps the budget that is drawn
 /// first, others are, from the bound of the closest on.
@@ -39,14 +46,14 @@ pub const BUDGETS: [f64; 2] = [1e-4, 0.3];
 /// What scenes are refused for but the accuracy, and what the device refuses.
 pub fn trial(device: &Device, number: u32, density: f64) -> Result<Trial, Error> {
     let case = Case::new(number, density)?;
-    let mut random = Random::new(number ^ 0x5bd1_e995);
-    let (mut budget, mut refused) = (random.between(BUDGETS[0], BUDGETS[1]), false);
+    let (mut random, [least, most]) = (Random::new(number ^ 0x5bd1_e995), budgets(case.filter));
+    let (mut budget, mut refused) = (random.between(least, most), false);
     let module = loop {
         match case.within(budget) {
             // Of a combination it is the bound of a layer.
             Err(Error::Accuracy { bound, .. }) => {
                 let closest = f64::from(bound).max(budget);
-                budget = 1.000_01 * random.between(closest, BUDGETS[1].max(2.0 * closest));
+                budget = 1.000_01 * random.between(closest, most.max(2.0 * closest));
                 refused = true;
             }
             chosen => break chosen?,
@@ -107,6 +114,19 @@ fn cheaper(case: &Case, module: &Module, budget: f64) -> Result<Option<bool>, Er
     if cost(module) < finest {
         return Ok(Some(true));
     }
-    let lightest = case.within(budget.max(BUDGETS[1]))?;
-    Ok((cost(&lightest) < finest).then_some(false))
+    let most = budget.max(MOST);
+    if cost(&case.within(most)?) >= finest {
+        return Ok(None);
+    }
+    // C0 at the mean may be lighter, and filters nothing.
+    let keeps = |module: &Module| f64::from(module.bound().value()) <= most;
+    let lighter = |scene: Scene| scene.module().is_ok_and(|module| keeps(&module) && cost(&module) < finest);
+    let (scene, fast) = (|| case.scene.clone(), Tier::ClosedForm(Kernel::Fast));
+    let gaussian = || scene().height_tier(HeightTier::Gaussian);
+    let any = match case.filter {
+        Filter::Texture => lighter(scene().tier(fast)) || lighter(scene().tier(Tier::Table)),
+        Filter::Height => lighter(gaussian().tier(fast)) || lighter(scene().height_tier(HeightTier::Skewed)),
+        _ => true,
+    };
+    Ok(any.then_some(false))
 }
