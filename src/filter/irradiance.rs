@@ -162,8 +162,8 @@ pub(crate) fn covered(tier: IrradianceTier) -> String {
         IrradianceTier::ThreeGaussians | IrradianceTier::FourGaussians => "1",
     };
     format!(
-        "slope deviations to {deviations}, correlations to 0.9, mean slopes to 0.36, views from 5 degrees above the \
-         mean plane"
+        "slope deviations to {deviations}, correlations to 0.9, mean slopes to 0.3 on each axis, views from 5 \
+         degrees above the mean plane"
     )
 }
 

@@ -62,7 +62,8 @@ pub fn with_tables(readme: &str, reports: &[(String, String)]) -> String {
     let tables = reports.iter().map(|(name, report)| {
         let fact =
             |what: &str| report.lines().find_map(|line| line.strip_prefix(&format!("- {what}: "))).unwrap_or("?");
-        format!("\n{} ({}), from [docs/{name}](docs/{name}):\n\n{}\n", fact("device"), fact("date"), table(report))
+        let (date, extent) = (fact("date"), fact("extent"));
+        format!("\n{}, {date}, {extent}: [docs/{name}](docs/{name})\n\n{}\n", fact("device"), table(report))
     });
     [before, MARKS[0], &tables.collect::<String>(), MARKS[1], after].concat()
 }
@@ -95,14 +96,14 @@ mod tests {
     fn the_readme_has_the_table_of_every_report() {
         let report = |device: &str| {
             let (mark, table) = (markdown::mark(SHOWN), "*Rows.*\n\n| a |\n|---|\n| 1 |\n\n");
-            format!("# A\n\n- device: {device}\n- date: today\n\n| no |\n\n{mark}{table}| no |\n")
+            format!("# A\n\n- device: {device}\n- date: today\n- extent: quick\n\n| no |\n\n{mark}{table}| no |\n")
         };
         let reports = [("report-a.md".to_owned(), report("A")), ("report-b.md".to_owned(), report("B"))];
         let readme = ["before\n", MARKS[0], "old\n", MARKS[1], "after\n"].concat();
         let made = with_tables(&readme, &reports);
         assert!(made.starts_with("before\n") && made.ends_with("after\n") && !made.contains("old"), "{made}");
         assert!(!made.contains("| no |") && made.matches("| a |\n|---|\n| 1 |\n").count() == 2, "{made}");
-        assert!(made.contains("\nB (today), from [docs/report-b.md](docs/report-b.md):\n"), "{made}");
+        assert!(made.contains("\nB, today, quick: [docs/report-b.md](docs/report-b.md)\n"), "{made}");
         assert_eq!(with_tables(&made, &reports), made);
         assert_eq!(with_tables("nothing", &reports), "nothing");
     }

@@ -92,11 +92,12 @@ pub fn section(bench: &Bench<'_>) -> Result<Section, Error> {
 /// Bounds over measured errors.
 fn scatter(trials: &[Trial]) -> Plot {
     let axis = |label: &str| Axis { label: label.to_owned(), logarithmic: true };
+    let shown = |error: f64| if error.is_finite() { error } else { 1.0 };
     let of = |filter: &Filter| {
         let own = trials.iter().filter(|trial| trial.filter == *filter);
         Series {
             label: filter.name().to_owned(),
-            points: own.map(|trial| [trial.measured, trial.bound]).collect(),
+            points: own.map(|trial| [shown(trial.measured), trial.bound]).collect(),
             joined: false,
         }
     };
@@ -104,7 +105,7 @@ fn scatter(trials: &[Trial]) -> Plot {
     Plot {
         stem: "accuracy_bounds".to_owned(),
         caption: "The bound of what was chosen over the largest error that was measured, both in color units: a point \
-                  below the line would be a bound that does not hold."
+                  below the line would be a bound that does not hold; a color that is no number counts as off by 1."
             .to_owned(),
         x: axis("largest error measured"),
         y: axis("bound"),

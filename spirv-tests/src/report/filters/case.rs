@@ -61,6 +61,12 @@ impl Row {
         Self { straight: true, ..self }
     }
 
+    /// The same, whose bound is against a model of its own and not shown.
+    #[must_use]
+    pub fn unbounded(self) -> Self {
+        Self { bounded: false, ..self }
+    }
+
     /// The rows with what a scene without settings chooses marked, or added where it is none of them.
     pub fn with_default(mut rows: Vec<Self>, default: Module) -> Vec<Self> {
         let same =
