@@ -88,8 +88,13 @@ where
     let mut builder = ChartBuilder::on(area);
     builder.margin(10).margin_bottom(24).margin_right(250).x_label_area_size(42).y_label_area_size(64);
     let mut chart = builder.build_cartesian_2d(x, y)?;
-    let label =
-        |value: &f64| if (1e-3..1e4).contains(&value.abs()) { format!("{value}") } else { format!("{value:.0e}") };
+    let label = |value: &f64| {
+        if *value == 0.0 || (1e-3..1e4).contains(&value.abs()) {
+            format!("{value}")
+        } else {
+            format!("{value:.0e}")
+        }
+    };
     let grid = RGBColor(225, 228, 232);
     chart
         .configure_mesh()
