@@ -12,6 +12,7 @@ use prefilter::{
     Tier,
 };
 
+use crate::environments::SKY;
 use crate::maps::{named, random};
 
 type Result<T> = std::result::Result<T, Box<dyn std::error::Error + Send + Sync>>;
@@ -76,17 +77,7 @@ fn snow_on_rock() -> Result<Combination> {
 
 /// A sky that is bright at its zenith and on one side, over dark ground.
 fn sky() -> Result<Irradiance> {
-    Ok(Irradiance::from_harmonics([
-        [0.9, 1.1, 1.4],
-        [0.1, 0.12, 0.1],
-        [0.5, 0.6, 0.9],
-        [0.4, 0.35, 0.2],
-        [0.02, 0.0, -0.03],
-        [0.05, 0.04, 0.02],
-        [0.1, 0.08, 0.11],
-        [0.2, 0.15, 0.1],
-        [-0.04, 0.02, 0.01],
-    ])?)
+    Ok(Irradiance::from_harmonics(SKY)?)
 }
 
 /// The scenes of irradiance.

@@ -3,22 +3,10 @@
 use super::brute::Brute;
 use super::case::{Case, Role, Row};
 use super::slope::{seen, DRAWN, SAMPLE, SOURCE};
+use crate::environments::SKY;
 use crate::report::Error;
 use prefilter::reference::normals::average;
 use prefilter::{Irradiance, IrradianceTier, Scene};
-
-/// A sky that is bright at its zenith and on one side, over dark ground: the irradiance is about 1.
-const SKY: [[f32; 3]; 9] = [
-    [0.9, 1.1, 1.4],
-    [0.1, 0.12, 0.1],
-    [0.5, 0.6, 0.9],
-    [0.4, 0.35, 0.2],
-    [0.02, 0.0, -0.03],
-    [0.05, 0.04, 0.02],
-    [0.1, 0.08, 0.11],
-    [0.2, 0.15, 0.1],
-    [-0.04, 0.02, 0.01],
-];
 
 /// The sky by every tier.
 ///
@@ -53,7 +41,7 @@ pub fn cases(_: usize) -> Result<Vec<Case>, Error> {
                 [sum(0), sum(1), sum(2), 0.0]
             })
         }),
-        sources: vec![SOURCE, include_str!("irradiance.rs")],
+        sources: vec![SOURCE, include_str!("irradiance.rs"), include_str!("../../environments.rs")],
         brute: Brute {
             modules: vec![plain],
             parameters: "mean_slope: vec2f, slope_covariance: vec3f, view: vec3f, x: vec3f, y: vec3f, z: vec3f",

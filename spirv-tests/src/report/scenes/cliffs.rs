@@ -3,7 +3,7 @@
 use super::frame::Shown;
 use super::measured::{Measured, Method as Entry, Weight};
 use super::progress::Progress;
-use super::rays::{kept, rays, Shots, Stage};
+use super::rays::{kept, Amount, Shots, Stage};
 use super::shown;
 use crate::cliffs::ground::Ground;
 use crate::cliffs::known::Tracer;
@@ -20,17 +20,8 @@ use crate::report::timing::{self, TURNS};
 use crate::report::{Bench, Error, Extent};
 use prefilter::Module;
 
-/// How much is done.
-struct Amount {
-    size: [usize; 2],
-    moving: [usize; 2],
-    frames: usize,
-    strata: usize,
-    places: usize,
-}
-
-const FULL: Amount = Amount { size: [96, 48], moving: [36, 18], frames: 8, strata: 32, places: 4 };
-const QUICK: Amount = Amount { size: [42, 21], moving: [18, 10], frames: 4, strata: 16, places: 2 };
+const FULL: Amount = Amount { size: [96, 48], moving: [36, 18], frames: 8, strata: 32, blocks: 4 };
+const QUICK: Amount = Amount { size: [42, 21], moving: [18, 10], frames: 4, strata: 16, blocks: 2 };
 
 /// The view that moves and that is timed.
 const OBLIQUE: usize = 1;
@@ -38,15 +29,6 @@ const OBLIQUE: usize = 1;
 /// Steps of this scene.
 pub fn steps(extent: Extent) -> u64 {
     extent.pick(30, 600)
-}
-
-impl Amount {
-    fn rays(&self) -> u64 {
-        let pixels = |[width, height]: [usize; 2]| (width * height) as u64;
-        let (still, moving) =
-            (3 * self.places as u64 * pixels(self.size), 2 * self.frames as u64 * pixels(self.moving));
-        (still + moving) * rays(self.strata)
-    }
 }
 
 /// The ground and what colors it.
@@ -106,7 +88,7 @@ fn looks(picture: &Picture) -> Vec<Look> {
 /// Those of scenes and of the device.
 pub fn items(bench: &Bench<'_>) -> Result<Vec<Item>, Error> {
     let amount = bench.extent.pick(QUICK, FULL);
-    let progress = Progress::new(bench.done, amount.rays(), steps(bench.extent));
+    let progress = Progress::new(bench.done, amount.rays(3 * amount.size[0] * amount.size[1]), steps(bench.extent));
     let (ground, materials, skies) = (Ground::new()?, Materials::new()?, skies()?);
     let renderers = skies.map(|sky| {
         let of_sky = Method::REPORTED.map(|method| Renderer::new(bench.timed, &materials, sky, method));
@@ -123,7 +105,7 @@ pub fn items(bench: &Bench<'_>) -> Result<Vec<Item>, Error> {
         renderers: &renderers,
         progress: &progress,
     };
-    for (place, number) in PLACES.into_iter().zip(0..).take(amount.places) {
+    for (place, number) in PLACES.into_iter().zip(0..amount.blocks) {
         shots.still(&stage(place), &views(amount.size), amount.strata, number)?;
     }
     let moved = |pan, zoom| views(amount.moving)[OBLIQUE].moved(pan, zoom);
@@ -172,7 +154,7 @@ fn measured(amount: &Amount, stage: &Mountains<'_>, materials: &Materials, shots
             "Light that reaches the eye. A pixel has {ALL_TAPS} taps. Standard errors: over {} places, of \
              shimmer over parts of the oblique view. Brute force: the naive kernel as many times as it has \
              samples, without its rays.",
-            amount.places
+            amount.blocks
         ),
     })
 }

@@ -3,7 +3,7 @@
 use super::frame::Shown;
 use super::measured::{Measured, Method as Entry, Weight};
 use super::progress::Progress;
-use super::rays::{kept, rays, Shots, Stage};
+use super::rays::{kept, Amount, Shots, Stage};
 use super::shown;
 use crate::imaging::camera::View;
 use crate::imaging::look::Look;
@@ -16,17 +16,8 @@ use crate::report::document::Item;
 use crate::report::timing::{self, TURNS};
 use crate::report::{Bench, Error, Extent};
 
-/// How much is done.
-struct Amount {
-    size: [usize; 2],
-    moving: [usize; 2],
-    frames: usize,
-    strata: usize,
-    seeds: u64,
-}
-
-const FULL: Amount = Amount { size: [72, 48], moving: [24, 16], frames: 8, strata: 32, seeds: 4 };
-const QUICK: Amount = Amount { size: [36, 30], moving: [12, 10], frames: 4, strata: 16, seeds: 2 };
+const FULL: Amount = Amount { size: [72, 48], moving: [24, 16], frames: 8, strata: 32, blocks: 4 };
+const QUICK: Amount = Amount { size: [36, 30], moving: [12, 10], frames: 4, strata: 16, blocks: 2 };
 
 /// The view that moves and that is timed: where pixels lose the waves.
 const MIDDLE: usize = 1;
@@ -40,16 +31,9 @@ fn of_each(extent: Extent) -> u64 {
     extent.pick(30, 450)
 }
 
-impl Amount {
-    fn rays(&self) -> u64 {
-        let still: usize = self.views().iter().map(|view| view.width * view.height).sum();
-        let moving = 2 * self.frames * self.moving[0] * self.moving[1];
-        (self.seeds * still as u64 + moving as u64) * rays(self.strata)
-    }
-
-    fn views(&self) -> [View; 3] {
-        views(self.size, [self.strata; 3])
-    }
+/// The views of the stills.
+fn seen(amount: &Amount) -> [View; 3] {
+    views(amount.size, [amount.strata; 3])
 }
 
 /// A surface over a noise.
@@ -102,15 +86,19 @@ pub fn items(bench: &Bench<'_>) -> Result<Vec<Item>, Error> {
 
 fn scene(bench: &Bench<'_>, studio: &Studio) -> Result<Vec<Item>, Error> {
     let amount = bench.extent.pick(QUICK, FULL);
-    let progress = Progress::new(bench.done, amount.rays(), of_each(bench.extent));
+    let progress = Progress::new(
+        bench.done,
+        amount.rays(seen(&amount).iter().map(|view| view.width * view.height).sum()),
+        of_each(bench.extent),
+    );
     let (mut shots, mut times) = (Shots::default(), Vec::new());
-    for seed in 0..amount.seeds {
+    for seed in 0..amount.blocks {
         let stage = Growth { bench, noise: studio.noise(seed as u32 + 1), seed, progress: &progress };
-        shots.still(&stage, &amount.views(), amount.strata, seed)?;
+        shots.still(&stage, &seen(&amount), amount.strata, seed)?;
         if seed == 0 {
             let moved = |pan, zoom| views(amount.moving, [amount.strata; 3])[MIDDLE].moved(pan, zoom);
             shots.moving(&stage, &moved, amount.strata.min(16), amount.frames)?;
-            times = seconds(studio, &stage.noise.known(&amount.views()[MIDDLE]))?;
+            times = seconds(studio, &stage.noise.known(&seen(&amount)[MIDDLE]))?;
         }
     }
     progress.end();
@@ -149,7 +137,7 @@ fn measured(amount: &Amount, studio: &Studio, seconds: &[f64], shots: &Shots) ->
              which each method runs the kernels of color, of the cosine and of visibility; the naive method's \
              curve is not timed. Standard errors: over {} fields of noise, of shimmer over parts of the view in \
              the middle. Brute force: the naive kernels as many times as it has samples, without its rays.",
-            amount.seeds
+            amount.blocks
         ),
     }
 }
@@ -162,7 +150,7 @@ const BEHIND: [f64; 3] = [0.42, 0.56, 0.74];
 fn pictures(shots: &Shots, measured: &Measured, amount: &Amount) -> Vec<super::View> {
     let labels: Vec<String> = measured.methods.iter().map(|method| method.label.clone()).collect();
     let shade = |look: &Look| [0, 1, 2].map(|at| SKY[at] * look.color[at] + SUN[at] * look.lit[at]);
-    let views = amount.views();
+    let views = seen(amount);
     let all = views.iter().zip(&shots.first).map(|(view, frame)| {
         let size = [view.width, view.height];
         frame.view(view.title.into(), &labels, &Shown { size, light: 0, shade: &shade, behind: BEHIND })

@@ -18,6 +18,29 @@ const BRUTE: [usize; 6] = [1, 2, 4, 8, 16, 32];
 /// Parts of a moving picture, over which its standard errors are.
 const PARTS: usize = 4;
 
+/// How much is done of a scene.
+#[derive(Clone, Copy, Debug)]
+pub struct Amount {
+    /// Width and height of the stills.
+    pub size: [usize; 2],
+    /// Width and height of the moving pictures.
+    pub moving: [usize; 2],
+    /// Frames of each motion.
+    pub frames: usize,
+    /// Strata an axis of each half of the truth.
+    pub strata: usize,
+    /// Surfaces, or places on one, of which each has all stills.
+    pub blocks: u64,
+}
+
+impl Amount {
+    /// Rays of all that is seen, for a progress bar; `still` are the pixels of a block's stills.
+    pub fn rays(&self, still: usize) -> u64 {
+        let moving = 2 * self.frames * self.moving[0] * self.moving[1];
+        (self.blocks * still as u64 + moving as u64) * rays(self.strata)
+    }
+}
+
 /// A surface with all that looks at it.
 pub trait Stage {
     /// From where it is seen.

@@ -3,7 +3,7 @@
 use super::frame::Shown;
 use super::measured::{Measured, Method as Entry, Weight};
 use super::progress::Progress;
-use super::rays::{kept, rays, Shots, Stage};
+use super::rays::{kept, Amount, Shots, Stage};
 use super::shown;
 use crate::imaging::look::Look;
 use crate::imaging::pixel::Pixel;
@@ -24,18 +24,9 @@ use crate::rough::truth::Scenery;
 use prefilter::reference::texture::PiecewiseLinear;
 use std::cell::OnceCell;
 
-/// How much is done.
-struct Amount {
-    /// Of fewer rows the first would see the sky in the grazing view.
-    size: [usize; 2],
-    moving: [usize; 2],
-    frames: usize,
-    strata: usize,
-    seeds: u64,
-}
-
-const FULL: Amount = Amount { size: [72, 48], moving: [32, 20], frames: 8, strata: 32, seeds: 4 };
-const QUICK: Amount = Amount { size: [24, 42], moving: [16, 10], frames: 4, strata: 16, seeds: 2 };
+const FULL: Amount = Amount { size: [72, 48], moving: [32, 20], frames: 8, strata: 32, blocks: 4 };
+// Of fewer rows the first would see the sky in the grazing view.
+const QUICK: Amount = Amount { size: [24, 42], moving: [16, 10], frames: 4, strata: 16, blocks: 2 };
 
 /// The view that moves and that is timed.
 const OBLIQUE: usize = 1;
@@ -43,14 +34,6 @@ const OBLIQUE: usize = 1;
 /// Steps of this scene.
 pub fn steps(extent: Extent) -> u64 {
     extent.pick(30, 600)
-}
-
-impl Amount {
-    fn rays(&self) -> u64 {
-        let pixels = |[width, height]: [usize; 2]| (width * height) as u64;
-        let (still, moving) = (3 * self.seeds * pixels(self.size), 2 * self.frames as u64 * pixels(self.moving));
-        (still + moving) * rays(self.strata)
-    }
 }
 
 /// A surface and what colors it.
@@ -119,12 +102,12 @@ fn look(seen: &Seen) -> Look {
 /// Those of scenes and of the device.
 pub fn items(bench: &Bench<'_>) -> Result<Vec<Item>, Error> {
     let amount = bench.extent.pick(QUICK, FULL);
-    let progress = Progress::new(bench.done, amount.rays(), steps(bench.extent));
+    let progress = Progress::new(bench.done, amount.rays(3 * amount.size[0] * amount.size[1]), steps(bench.extent));
     let (map, pixel) = (map()?, Pixel::default());
     let renderers = Method::REPORTED.map(|method| Renderer::new(bench.timed, map.clone(), method));
     let renderers = renderers.into_iter().collect::<Result<Vec<_>, Error>>()?;
     let (reference, mut shots) = (map.reference(), Shots::default());
-    for seed in 0..amount.seeds {
+    for seed in 0..amount.blocks {
         let stage = Surface {
             bench,
             waves: surface(seed as u32 + 1),
@@ -175,7 +158,7 @@ fn measured(amount: &Amount, renderers: &[Renderer], shots: &Shots) -> Result<Me
             "The light of the sun that reaches the eye. A pixel has {ALL_TAPS} taps. Standard errors: over {} \
              surfaces, of shimmer over parts of the oblique view. Brute force: the naive kernel as many times \
              as it has samples, without its rays.",
-            amount.seeds
+            amount.blocks
         ),
     })
 }

@@ -3,7 +3,7 @@
 use super::frame::Shown;
 use super::measured::{Measured, Method as Entry, Weight};
 use super::progress::Progress;
-use super::rays::{kept, rays, Shots, Stage};
+use super::rays::{kept, Amount, Shots, Stage};
 use super::shown;
 use crate::imaging::camera::View;
 use crate::imaging::look::Look;
@@ -23,17 +23,8 @@ use crate::snake::truth::Scenery;
 use prefilter::reference::texture::PiecewiseLinear;
 use prefilter::{Edge, MomentMipmap};
 
-/// How much is done.
-struct Amount {
-    size: [usize; 2],
-    moving: [usize; 2],
-    frames: usize,
-    strata: usize,
-    seeds: u64,
-}
-
-const FULL: Amount = Amount { size: [96, 64], moving: [36, 24], frames: 8, strata: 32, seeds: 4 };
-const QUICK: Amount = Amount { size: [48, 32], moving: [18, 12], frames: 4, strata: 16, seeds: 2 };
+const FULL: Amount = Amount { size: [96, 64], moving: [36, 24], frames: 8, strata: 32, blocks: 4 };
+const QUICK: Amount = Amount { size: [48, 32], moving: [18, 12], frames: 4, strata: 16, blocks: 2 };
 
 /// The view that moves and that is timed.
 const WHOLE: usize = 1;
@@ -43,17 +34,9 @@ pub fn steps(extent: Extent) -> u64 {
     extent.pick(30, 600)
 }
 
-impl Amount {
-    fn rays(&self) -> u64 {
-        let pixels = |view: &View| (view.width * view.height) as u64;
-        let still: u64 = self.views().iter().map(|(view, _)| pixels(view)).sum();
-        let moving = 2 * self.frames as u64 * (self.moving[0] * self.moving[1]) as u64;
-        (self.seeds * still + moving) * rays(self.strata)
-    }
-
-    fn views(&self) -> Vec<(View, usize)> {
-        views(self.size, [self.strata; 3]).into_iter().zip(LEVELS).collect()
-    }
+/// The views of the stills.
+fn seen(amount: &Amount) -> Vec<(View, usize)> {
+    views(amount.size, [amount.strata; 3]).into_iter().zip(LEVELS).collect()
 }
 
 /// A skin and what colors it.
@@ -119,13 +102,17 @@ impl<'a> Snake<'a> {
 /// Those of scenes and of the device.
 pub fn items(bench: &Bench<'_>) -> Result<Vec<Item>, Error> {
     let amount = bench.extent.pick(QUICK, FULL);
-    let progress = Progress::new(bench.done, amount.rays(), steps(bench.extent));
+    let progress = Progress::new(
+        bench.done,
+        amount.rays(seen(&amount).iter().map(|(view, _)| view.width * view.height).sum()),
+        steps(bench.extent),
+    );
     let (body, material, pixel) = (Body::new(), Material::new()?, Pixel::default());
     let renderers = Method::ALL.map(|method| Renderer::new(bench.timed, &material, method));
     let renderers = renderers.into_iter().collect::<Result<Vec<_>, Error>>()?;
     let (colors, mut shots, mut found) =
         ([&material.green, &material.red].map(|map| map.reference()), Shots::default(), None);
-    for seed in 0..amount.seeds {
+    for seed in 0..amount.blocks {
         let skin = Skin::new(seed as u32 + 1);
         let stage = Snake {
             bench,
@@ -141,7 +128,7 @@ pub fn items(bench: &Bench<'_>) -> Result<Vec<Item>, Error> {
             renderers: &renderers,
             progress: &progress,
         };
-        shots.still(&stage, &amount.views(), amount.strata, seed)?;
+        shots.still(&stage, &seen(&amount), amount.strata, seed)?;
         if seed == 0 {
             let moved = |pan, zoom| (views(amount.moving, [amount.strata; 3])[WHOLE].moved(pan, zoom), LEVELS[WHOLE]);
             shots.moving(&stage, &moved, amount.strata.min(16), amount.frames)?;
@@ -159,7 +146,7 @@ const TITLE: &str = "A snake colored by a pattern and by the slopes of its scale
 
 /// Times and weights.
 fn measured(amount: &Amount, stage: &Snake<'_>) -> Result<Measured, Error> {
-    let known = stage.known(&amount.views()[WHOLE]);
+    let known = stage.known(&seen(amount)[WHOLE]);
     let taps = known.iter().flatten().flatten().count() as f64;
     let kernels = stage.renderers.iter().map(|renderer| renderer.prepare(&stage.maps, &known));
     let seconds = timing::fastest(&kernels.collect::<Result<Vec<_>, Error>>()?, TURNS)?;
@@ -183,7 +170,7 @@ fn measured(amount: &Amount, stage: &Snake<'_>) -> Result<Measured, Error> {
              errors: over {} skins, of shimmer over parts of the view of the whole snake. Brute force: the \
              naive kernel as many times as it has samples, without its rays. Bytes: with the pyramids of values \
              and slopes.",
-            amount.seeds
+            amount.blocks
         ),
     })
 }
@@ -193,7 +180,7 @@ const SAND: [f64; 3] = [0.50, 0.42, 0.31];
 
 fn pictures(shots: &Shots, measured: &Measured, amount: &Amount) -> Vec<super::View> {
     let labels: Vec<String> = measured.methods.iter().map(|method| method.label.clone()).collect();
-    let views = amount.views();
+    let views = seen(amount);
     let all = views.iter().zip(&shots.first).map(|((view, _), frame)| {
         let size = [view.width, view.height];
         frame.view(view.title.into(), &labels, &Shown { size, light: 0, shade: &|look| look.lit, behind: SAND })
