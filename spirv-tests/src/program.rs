@@ -1,8 +1,19 @@
-//! What programs of the report have alike: how they end, and how they show progress.
-
-use std::process::ExitCode;
+//! What programs of the report have alike: what they are asked for, how they end, and how they show progress.
 
 use indicatif::{ProgressBar, ProgressStyle};
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+/// What every demo is asked for.
+#[derive(Debug, clap::Args)]
+pub struct Asked {
+    /// Small pictures and few cases: about a minute on two cores.
+    #[arg(long)]
+    pub quick: bool,
+    /// The folder of the report; made if need be.
+    #[arg(long, value_name = "DIR", default_value = "target/demo")]
+    pub out: PathBuf,
+}
 
 /// Ends a program, an error being said.
 pub fn end<E: std::fmt::Display>(result: Result<(), E>) -> ExitCode {

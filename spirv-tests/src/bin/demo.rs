@@ -6,20 +6,16 @@ use prefilter::gpu::Device;
 use spirv_tests::demo::input::Input;
 use spirv_tests::demo::judge::{judge, samples, Judged, Sizes};
 use spirv_tests::demo::{page, table, Error};
-use spirv_tests::program::{bar, end};
-use std::path::{Path, PathBuf};
+use spirv_tests::program::{bar, end, Asked};
+use std::path::Path;
 use std::process::ExitCode;
 
 /// Filters a terrain and a gravel seen to the horizon, prints how far each method is from the truth, and writes
 /// pictures, a page and a table.
 #[derive(Parser)]
 struct Arguments {
-    /// Small pictures and short motions: about a minute on two cores.
-    #[arg(long)]
-    quick: bool,
-    /// The folder of the report; made if need be.
-    #[arg(long, value_name = "DIR", default_value = "target/demo")]
-    out: PathBuf,
+    #[command(flatten)]
+    asked: Asked,
 }
 
 /// Size of the pictures of the contact sheet.
@@ -28,11 +24,11 @@ const FULL: Sizes = Sizes { still: [512, 384], moving: [192, 144], frames: 12 };
 const QUICK: Sizes = Sizes { still: [128, 128], moving: [64, 64], frames: 8 };
 
 fn main() -> ExitCode {
-    end(demo(&Arguments::parse()))
+    end(demo(&Arguments::parse().asked))
 }
 
-fn demo(arguments: &Arguments) -> Result<(), Error> {
-    let sizes = if arguments.quick { QUICK } else { FULL };
+fn demo(asked: &Asked) -> Result<(), Error> {
+    let sizes = if asked.quick { QUICK } else { FULL };
     let device = Device::new()?;
     let inputs = Input::all()?;
     let total = inputs.len() as u64 * (samples(sizes) + samples(SHEET));
@@ -48,8 +44,8 @@ fn demo(arguments: &Arguments) -> Result<(), Error> {
     for judged in &all {
         println!("{}", table::text(judged));
     }
-    page::write(&arguments.out, device.label(), sizes, &all, &sheet)?;
-    println!("written: {}", shown(&arguments.out));
+    page::write(&asked.out, device.label(), sizes, &all, &sheet)?;
+    println!("written: {}", shown(&asked.out));
     Ok(())
 }
 

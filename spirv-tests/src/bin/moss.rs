@@ -7,20 +7,15 @@ use prefilter::gpu::Device;
 use spirv_tests::imaging::files::{listed, write};
 use spirv_tests::moss::judge::{judge, Extent};
 use spirv_tests::moss::{sheet, table, zoom, Error};
-use spirv_tests::program::{bar, end};
-use std::path::PathBuf;
+use spirv_tests::program::{bar, end, Asked};
 use std::process::ExitCode;
 
 /// Colors and lights moss and a sponge, near and far, from overhead to a silhouette, prints how far each method is from
 /// the truth, still and in a zoom, and writes a picture and tables.
 #[derive(Parser)]
 struct Arguments {
-    /// Narrow pictures of one field of noise, and few frames.
-    #[arg(long)]
-    quick: bool,
-    /// The folder of the report; made if need be.
-    #[arg(long, value_name = "DIR", default_value = "target/demo")]
-    out: PathBuf,
+    #[command(flatten)]
+    asked: Asked,
 }
 
 const FULL: Extent = Extent {
@@ -37,11 +32,11 @@ const QUICK: Extent = Extent {
 };
 
 fn main() -> ExitCode {
-    end(moss(&Arguments::parse()))
+    end(moss(&Arguments::parse().asked))
 }
 
-fn moss(arguments: &Arguments) -> Result<(), Error> {
-    let extent = if arguments.quick { QUICK } else { FULL };
+fn moss(asked: &Asked) -> Result<(), Error> {
+    let extent = if asked.quick { QUICK } else { FULL };
     let device = Device::new()?;
     let bar = bar(extent.rays(), "moss");
     let judged = judge(&device, extent, &|rays| bar.inc(rays))?;
@@ -49,7 +44,7 @@ fn moss(arguments: &Arguments) -> Result<(), Error> {
     println!("{}", table::legend(device.label(), extent.size, extent.seeds));
     println!("{}\n{}", table::text(&judged), table::zoom_text(&judged));
     let texts = [("moss.csv", table::csv(&judged)), ("moss_zoom.csv", table::zoom_csv(&judged))];
-    let written = write(&arguments.out, ("moss.png", &sheet::sheet(&judged)), &texts)?;
+    let written = write(&asked.out, ("moss.png", &sheet::sheet(&judged)), &texts)?;
     println!("written: {}", listed(&written));
     Ok(())
 }

@@ -9,21 +9,16 @@ use spirv_tests::noise::input::{Ground, Input};
 use spirv_tests::noise::judge::{judge, Extent};
 use spirv_tests::noise::sheet::{self, Shown};
 use spirv_tests::noise::{table, Error};
-use spirv_tests::program::{bar, end};
+use spirv_tests::program::{bar, end, Asked};
 use spirv_tests::report::cache::Cache;
-use std::path::PathBuf;
 use std::process::ExitCode;
 
 /// Filters a plane of noise to the horizon and blocks of solid noise, prints how far each method is from the truth,
 /// still and in motion, and writes a picture and a table.
 #[derive(Parser)]
 struct Arguments {
-    /// Two parts of the noise, short motions and fewer samples.
-    #[arg(long)]
-    quick: bool,
-    /// The folder of the report; made if need be.
-    #[arg(long, value_name = "DIR", default_value = "target/demo")]
-    out: PathBuf,
+    #[command(flatten)]
+    asked: Asked,
 }
 
 const FULL: Extent = Extent {
@@ -44,7 +39,7 @@ const QUICK: Extent = Extent {
 };
 
 fn main() -> ExitCode {
-    end(noise(&Arguments::parse()))
+    end(noise(&Arguments::parse().asked))
 }
 
 /// Size of the pictures of the contact sheet.
@@ -55,8 +50,8 @@ fn size(input: &Input) -> [usize; 2] {
     }
 }
 
-fn noise(arguments: &Arguments) -> Result<(), Error> {
-    let extent = if arguments.quick { QUICK } else { FULL };
+fn noise(asked: &Asked) -> Result<(), Error> {
+    let extent = if asked.quick { QUICK } else { FULL };
     let device = Device::new()?;
     let (inputs, cache) = (Input::all()?, Cache::none());
     let on_sheet = |input: &&Input| input.name != "steps6";
@@ -74,7 +69,7 @@ fn noise(arguments: &Arguments) -> Result<(), Error> {
         println!("{}", table::text(judged));
     }
     let texts = [("noise.csv", table::csv(&all))];
-    let written = write(&arguments.out, ("noise.png", &sheet::sheet(&shown)), &texts)?;
+    let written = write(&asked.out, ("noise.png", &sheet::sheet(&shown)), &texts)?;
     println!("written: {}", listed(&written));
     Ok(())
 }

@@ -5,33 +5,28 @@
 use clap::Parser;
 use prefilter::gpu::Device;
 use spirv_tests::imaging::files::{listed, write};
-use spirv_tests::program::{bar, end};
+use spirv_tests::program::{bar, end, Asked};
 use spirv_tests::rough::judge::{judge, Extent};
 use spirv_tests::rough::{sheet, table, Error};
-use std::path::PathBuf;
 use std::process::ExitCode;
 
 /// Colors a rough surface by height, near and far, from overhead to grazing, prints how far each method is from the
 /// truth, and writes a picture and a table.
 #[derive(Parser)]
 struct Arguments {
-    /// Small pictures of one surface.
-    #[arg(long)]
-    quick: bool,
-    /// The folder of the report; made if need be.
-    #[arg(long, value_name = "DIR", default_value = "target/demo")]
-    out: PathBuf,
+    #[command(flatten)]
+    asked: Asked,
 }
 
 const FULL: Extent = Extent { size: [246, 112], strata: 16, seeds: 4 };
 const QUICK: Extent = Extent { size: [123, 56], strata: 16, seeds: 1 };
 
 fn main() -> ExitCode {
-    end(rough(&Arguments::parse()))
+    end(rough(&Arguments::parse().asked))
 }
 
-fn rough(arguments: &Arguments) -> Result<(), Error> {
-    let extent = if arguments.quick { QUICK } else { FULL };
+fn rough(asked: &Asked) -> Result<(), Error> {
+    let extent = if asked.quick { QUICK } else { FULL };
     let device = Device::new()?;
     let bar = bar(extent.rows(), "rough");
     let judged = judge(&device, extent, &|| bar.inc(1))?;
@@ -39,7 +34,7 @@ fn rough(arguments: &Arguments) -> Result<(), Error> {
     println!("{}", table::legend(device.label(), extent.size, extent.seeds));
     println!("{}", table::text(&judged));
     let texts = [("rough.csv", table::csv(&judged))];
-    let written = write(&arguments.out, ("rough.png", &sheet::sheet(&judged)), &texts)?;
+    let written = write(&asked.out, ("rough.png", &sheet::sheet(&judged)), &texts)?;
     println!("written: {}", listed(&written));
     Ok(())
 }

@@ -2,12 +2,12 @@
 #![deny(missing_docs)]
 
 use clap::Parser;
-use indicatif::{ProgressBar, ProgressStyle};
 use spirv_tests::gap::field::Spectrum;
 use spirv_tests::gap::slopes::{row, sloped, HEADER};
 use spirv_tests::gap::steepness::{self, steep};
 use spirv_tests::gap::study::Extent;
 use spirv_tests::gap::table::directions;
+use spirv_tests::program::bar;
 use std::path::PathBuf;
 use std::{fs, io};
 
@@ -23,10 +23,7 @@ struct Arguments {
 
 fn main() -> io::Result<()> {
     let Arguments { extent, out } = Arguments::parse();
-    let bar = ProgressBar::new((2 * Spectrum::ALL.len() * extent.seeds) as u64);
-    if let Ok(style) = ProgressStyle::with_template("{bar:40} {pos}/{len} {msg} {eta} left") {
-        bar.set_style(style);
-    }
+    let bar = bar((2 * Spectrum::ALL.len() * extent.seeds) as u64, "");
     // Other deviations of slopes sample the same curve.
     let directions: Vec<[f64; 3]> = directions().into_iter().filter(|direction| direction[0] == 0.7).collect();
     let parameters: Vec<f64> = directions.iter().map(|[_, _, parameter]| *parameter).collect();

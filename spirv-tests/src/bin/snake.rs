@@ -5,33 +5,28 @@
 use clap::Parser;
 use prefilter::gpu::Device;
 use spirv_tests::imaging::files::{listed, write};
-use spirv_tests::program::{bar, end};
+use spirv_tests::program::{bar, end, Asked};
 use spirv_tests::snake::judge::{judge, Extent};
 use spirv_tests::snake::{sheet, table, Error};
-use std::path::PathBuf;
 use std::process::ExitCode;
 
 /// Colors a snake by a pattern and by the slopes of its scales, near and far, prints how far each method is from the
 /// truth, and writes a picture and a table.
 #[derive(Parser)]
 struct Arguments {
-    /// Small pictures of one skin.
-    #[arg(long)]
-    quick: bool,
-    /// The folder of the report; made if need be.
-    #[arg(long, value_name = "DIR", default_value = "target/demo")]
-    out: PathBuf,
+    #[command(flatten)]
+    asked: Asked,
 }
 
 const FULL: Extent = Extent { size: [246, 168], strata: [8, 16, 32], seeds: 4 };
 const QUICK: Extent = Extent { size: [126, 84], strata: [8, 16, 32], seeds: 1 };
 
 fn main() -> ExitCode {
-    end(snake(&Arguments::parse()))
+    end(snake(&Arguments::parse().asked))
 }
 
-fn snake(arguments: &Arguments) -> Result<(), Error> {
-    let extent = if arguments.quick { QUICK } else { FULL };
+fn snake(asked: &Asked) -> Result<(), Error> {
+    let extent = if asked.quick { QUICK } else { FULL };
     let device = Device::new()?;
     let bar = bar(extent.rays(), "snake");
     let judged = judge(&device, extent, &|rays| bar.inc(rays))?;
@@ -39,7 +34,7 @@ fn snake(arguments: &Arguments) -> Result<(), Error> {
     println!("{}", table::legend(device.label(), extent.size, extent.seeds));
     println!("{}", table::text(&judged));
     let texts = [("snake.csv", table::csv(&judged))];
-    let written = write(&arguments.out, ("snake.png", &sheet::sheet(&judged)), &texts)?;
+    let written = write(&asked.out, ("snake.png", &sheet::sheet(&judged)), &texts)?;
     println!("written: {}", listed(&written));
     Ok(())
 }

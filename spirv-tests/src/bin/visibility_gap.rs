@@ -2,10 +2,10 @@
 #![deny(missing_docs)]
 
 use clap::Parser;
-use indicatif::{ProgressBar, ProgressStyle};
 use spirv_tests::gap::field::Spectrum;
 use spirv_tests::gap::study::{seen, shadowed, Extent};
 use spirv_tests::gap::table::{directions, seen_row, shadowed_row, SEEN_HEADER, SHADOWED_HEADER};
+use spirv_tests::program::bar;
 use std::path::PathBuf;
 use std::{fs, io};
 
@@ -21,10 +21,7 @@ struct Arguments {
 
 fn main() -> io::Result<()> {
     let Arguments { extent, out } = Arguments::parse();
-    let bar = ProgressBar::new((2 * Spectrum::ALL.len() * extent.seeds) as u64);
-    if let Ok(style) = ProgressStyle::with_template("{bar:40} {pos}/{len} {msg} {eta} left") {
-        bar.set_style(style);
-    }
+    let bar = bar((2 * Spectrum::ALL.len() * extent.seeds) as u64, "");
     let done = || bar.inc(1);
     let directions = directions();
     let parameters: Vec<f64> = directions.iter().map(|[_, _, parameter]| *parameter).collect();

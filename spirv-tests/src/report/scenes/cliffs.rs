@@ -20,7 +20,7 @@ use crate::report::timing::{self, TURNS};
 use crate::report::{Bench, Error, Extent};
 use prefilter::Module;
 
-const FULL: Amount = Amount { size: [96, 48], moving: [36, 18], frames: 8, strata: 32, blocks: 4 };
+const FULL: Amount = Amount { size: [72, 36], moving: [36, 18], frames: 8, strata: 32, blocks: 4 };
 const QUICK: Amount = Amount { size: [42, 21], moving: [18, 10], frames: 4, strata: 16, blocks: 2 };
 
 /// The view that moves and that is timed.

@@ -16,7 +16,7 @@ use crate::report::document::Item;
 use crate::report::timing::{self, TURNS};
 use crate::report::{Bench, Error, Extent};
 
-const FULL: Amount = Amount { size: [72, 48], moving: [24, 16], frames: 8, strata: 32, blocks: 4 };
+const FULL: Amount = Amount { size: [54, 36], moving: [24, 16], frames: 8, strata: 32, blocks: 4 };
 const QUICK: Amount = Amount { size: [36, 30], moving: [12, 10], frames: 4, strata: 16, blocks: 2 };
 
 /// The view that moves and that is timed: where pixels lose the waves.

@@ -24,7 +24,7 @@ use crate::rough::truth::Scenery;
 use prefilter::reference::texture::PiecewiseLinear;
 use std::cell::OnceCell;
 
-const FULL: Amount = Amount { size: [72, 48], moving: [32, 20], frames: 8, strata: 32, blocks: 4 };
+const FULL: Amount = Amount { size: [54, 42], moving: [32, 20], frames: 8, strata: 32, blocks: 4 };
 // Of fewer rows the first would see the sky in the grazing view.
 const QUICK: Amount = Amount { size: [24, 42], moving: [16, 10], frames: 4, strata: 16, blocks: 2 };
 

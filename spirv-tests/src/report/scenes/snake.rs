@@ -23,7 +23,7 @@ use crate::snake::truth::Scenery;
 use prefilter::reference::texture::PiecewiseLinear;
 use prefilter::{Edge, MomentMipmap};
 
-const FULL: Amount = Amount { size: [96, 64], moving: [36, 24], frames: 8, strata: 32, blocks: 4 };
+const FULL: Amount = Amount { size: [72, 48], moving: [36, 24], frames: 8, strata: 32, blocks: 4 };
 const QUICK: Amount = Amount { size: [48, 32], moving: [18, 12], frames: 4, strata: 16, blocks: 2 };
 
 /// The view that moves and that is timed.
