@@ -74,7 +74,7 @@ impl Nodes<'_> {
     }
 
     /// Whether the curve has level pieces, for which the first node is kept.
-    fn has_level(&self) -> bool {
+    pub(crate) fn has_level(&self) -> bool {
         let mut pieces = self.curve.pieces().unwrap_or_default().iter();
         pieces.any(|piece| piece.coefficients[1..].iter().all(|coefficient| *coefficient == 0.0))
     }
