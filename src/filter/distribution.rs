@@ -106,7 +106,8 @@ impl Distribution {
         }
     }
 
-    /// The filter of one tier, its table having so many nodes.
+    /// The filter of one tier, its table having so many nodes; that of normal distributions is not baked where its
+    /// bound is sure to be above `most`.
     ///
     /// # Errors
     /// A tier that does not go with the colors.
@@ -117,9 +118,10 @@ impl Distribution {
         tier: Tier,
         nodes: [usize; 2],
         ranges: Ranges,
+        most: f32,
     ) -> Result<Filter, Error> {
         match self {
-            Self::Normal | Self::Pair => texture::filter(map, colors, tier, nodes, ranges),
+            Self::Normal | Self::Pair => texture::filter(map, colors, tier, nodes, ranges, most),
             Self::Beta { low, high } => Ok(texture::bounded(map, (*low, *high), nodes)),
             Self::Learned(image) => Ok(texture::learned(map, colors, nodes, ranges, image)),
         }

@@ -57,7 +57,7 @@ impl Filter {
     }
 }
 
-/// The filter of one tier, its table having so many nodes.
+/// The filter of one tier, its table having so many nodes; it is not baked where its bound is sure to be above `most`.
 ///
 /// # Errors
 /// A tier that does not go with the colors.
@@ -67,10 +67,11 @@ pub(crate) fn filter(
     tier: Tier,
     nodes: [usize; 2],
     ranges: Ranges,
+    most: f32,
 ) -> Result<Filter, Error> {
     match (tier, colors) {
         (Tier::Paper, _) => Ok(paper(map, ranges)),
-        (Tier::Table, _) => Ok(by_deviation(map, colors, nodes, ranges, |plan| plan.of_values("table"))),
+        (Tier::Table, _) => Ok(by_deviation(map, colors, nodes, ranges, |plan| plan.of_values("table", 0.5 * most))),
         (Tier::Naive, Colors::Constant) => Ok(naive(map, ranges)),
         (Tier::ClosedForm(kernel), Colors::Constant) => Ok(closed_form(map, kernel, ranges)),
         (Tier::ClosedForm(Kernel::Exact), Colors::Dynamic) => Ok(dynamic(map, ranges)),
@@ -278,7 +279,8 @@ pub(super) fn bends(map: &ColorMap) -> Vec<(f64, f64)> {
 fn paper(map: &ColorMap, ranges: Ranges) -> Filter {
     let means = Axis { low: 0.0, high: 1.0, count: 256, spacing: Spacing::Centers };
     let deviations = Axis { low: 0.0, high: ranges.deviation.into(), count: 256, spacing: Spacing::Centers };
-    let baked = Plan { map: &map.reference(), means, deviations, judged: ranges.mean }.of_values("table");
+    let baked =
+        Plan { map: &map.reference(), means, deviations, judged: ranges.mean }.of_values("table", f32::INFINITY);
     let reach = number(ranges.deviation);
     let body = format!(
         "    return textureSampleLevel(table, table_sampler, vec2f(mean, deviation / {reach}), 0.0){};\n",

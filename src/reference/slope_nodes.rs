@@ -57,6 +57,17 @@ fn end(at: f64) -> End {
     (at, cumulative(-at.abs()))
 }
 
+/// Ends of parts in deviations of f, with their probabilities, for many surfaces.
+#[derive(Clone, Debug)]
+pub struct Ends(Vec<End>);
+
+impl Ends {
+    /// So many parts of each deviation.
+    pub fn even(parts: usize) -> Self {
+        Self((0..=2 * FAR as usize * parts).map(|index| end(index as f64 / parts as f64 - FAR)).collect())
+    }
+}
+
 /// The probability between two values, a ≤ b.
 fn between((a, below): End, (b, above): End) -> f64 {
     if a > 0.0 {
@@ -87,16 +98,28 @@ impl Transferred {
         height: impl Fn(f64) -> f64,
         slope: impl Fn(f64) -> f64,
     ) -> Self {
+        Self::between(&Ends::even(parts), [mean, deviation], breaks, height, slope)
+    }
+
+    /// The same between ends that are known.
+    pub fn between(
+        Ends(even): &Ends,
+        [mean, deviation]: [f64; 2],
+        breaks: &[f64],
+        height: impl Fn(f64) -> f64,
+        slope: impl Fn(f64) -> f64,
+    ) -> Self {
         let part = |value: f64, share: f64| Part { value, share, height: height(value), scale: slope(value) };
         if deviation <= 0.0 {
             return Self { parts: vec![part(mean, 1.0)] };
         }
-        let even = (0..=2 * FAR as usize * parts).map(|index| index as f64 / parts as f64 - FAR);
-        let inner = breaks.iter().map(|at| (at - mean) / deviation).filter(|at| at.abs() < FAR);
-        let mut ends: Vec<f64> = even.chain(inner).collect();
-        ends.sort_by(f64::total_cmp);
-        ends.dedup();
-        let ends: Vec<End> = ends.into_iter().map(end).collect();
+        let mut ends = even.clone();
+        for at in breaks.iter().map(|at| (at - mean) / deviation).filter(|at| at.abs() < FAR) {
+            let next = ends.partition_point(|end| end.0 < at);
+            if ends[next].0 != at {
+                ends.insert(next, end(at));
+            }
+        }
         let all = between(end(-FAR), end(FAR));
         let part = |pair: &[End]| {
             let middle = 0.5 * (pair[0].0 + pair[1].0);

@@ -71,7 +71,7 @@ pub fn rice_density(length: f64, center: f64, deviation: f64) -> f64 {
     let apart = (length - center) / deviation;
     // |length e^iα − center|² is (length − center)² + 4 length center sin²(α/2).
     let far = if pull > 40.0 { 2.0 * libm::asin((20.0 / pull).sqrt()) } else { PI };
-    let [ring] = integrate(0.0, far, 1.0 / (1.0 + pull).sqrt(), |angle| {
+    let [ring] = integrate(0.0, far, 2.0 / (1.0 + pull).sqrt(), |angle| {
         let turn = (0.5 * angle).sin();
         [(-0.5 * apart * apart - 2.0 * pull * turn * turn).exp()]
     });
@@ -86,7 +86,7 @@ pub fn rice_mean(map: &PiecewiseLinear, center: f64, deviation: f64) -> [f64; 4]
     ends.sort_by(f64::total_cmp);
     let mut sum = [0.0; 4];
     for pair in ends.windows(2).filter(|pair| pair[1] > pair[0]) {
-        let piece: [f64; 4] = integrate(pair[0], pair[1], deviation, |length| {
+        let piece: [f64; 4] = integrate(pair[0], pair[1], 2.0 * deviation, |length| {
             map.value(length).map(|channel| channel * rice_density(length, center, deviation))
         });
         for (total, value) in sum.iter_mut().zip(piece) {

@@ -84,6 +84,13 @@ pub(super) struct Candidate {
     pub cost: Cost,
 }
 
+impl Candidate {
+    /// Whether all of its tables have their texels.
+    pub(super) fn is_baked(&self) -> bool {
+        self.filter.tables.iter().all(Table::is_baked)
+    }
+}
+
 /// How often a loop turns, by the name of the function that it is in.
 pub(crate) type Turns = BTreeMap<String, usize>;
 
@@ -115,11 +122,12 @@ impl Scene {
             return Ok((candidates.remove(0), candidates));
         }
         let asked = self.accuracy.unwrap_or_default().max_filter_error;
-        let closest = candidates.iter().min_by(|a, b| a.judged.total_cmp(&b.judged));
-        let near = closest.map_or(0.0, |closest| NEAR * closest.judged);
-        let choosy = self.texture.is_some() && !self.distribution.tabulated();
-        let budget = if !choosy && self.accuracy.is_none() { asked.max(near) } else { asked };
-        let kept = candidates.iter().enumerate().filter(|(_, candidate)| candidate.judged <= budget);
+        // Of a table that was not baked the bound is larger than what is known of it.
+        let baked = candidates.iter().filter(|candidate| candidate.is_baked());
+        let closest = baked.min_by(|a, b| a.judged.total_cmp(&b.judged));
+        let budget = self.budget(&candidates);
+        let keeps = |candidate: &Candidate| candidate.judged <= budget && candidate.is_baked();
+        let kept = candidates.iter().enumerate().filter(|(_, candidate)| keeps(candidate));
         if let Some((lightest, _)) = kept.min_by_key(|(_, candidate)| candidate.cost.order()) {
             let chosen = candidates.remove(lightest);
             return Ok((chosen, candidates));
@@ -130,6 +138,25 @@ impl Scene {
             closest: closest.map_or(String::new(), |candidate| candidate.label.clone()),
             bound: closest.map_or(f32::INFINITY, |candidate| candidate.judged),
         })
+    }
+
+    /// The largest bound that a candidate beside some others may have to be chosen.
+    fn budget(&self, others: &[Candidate]) -> f32 {
+        let asked = self.accuracy.unwrap_or_default().max_filter_error;
+        let choosy = self.accuracy.is_some() || (self.texture.is_some() && !self.distribution.tabulated());
+        let near = others.iter().map(|candidate| NEAR * candidate.judged).reduce(f32::min);
+        near.filter(|_| !choosy).map_or(asked, |near| asked.max(near))
+    }
+
+    /// The largest bound with which a table beside some others, of which more may follow, is worth its baking.
+    pub(super) fn worth(&self, others: &[Candidate]) -> f32 {
+        let named = self.tier.is_some() || self.height_tier.is_some_and(HeightTier::stands_alone);
+        let alone = others.is_empty() && self.accuracy.is_none();
+        if named || alone {
+            f32::INFINITY
+        } else {
+            self.budget(others)
+        }
     }
 
     /// Whether a scene with a single candidate names it, so that no accuracy has a say.

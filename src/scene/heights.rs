@@ -25,7 +25,8 @@ impl Scene {
             } else {
                 vec![COLUMNS]
             };
-            candidates.extend(self.by_sizes(&sizes, |columns| Ok(vec![self.alone(map, tier, columns)?]))?);
+            let attempt = |columns, worth| Ok(vec![self.alone(map, tier, columns, worth)?]);
+            self.beside(&mut candidates, &sizes, attempt)?;
         }
         if self.height_tier.is_some_and(HeightTier::stands_alone) {
             return Ok(candidates);
@@ -33,8 +34,10 @@ impl Scene {
         let named = self.height_tier.map_or(HEIGHTS.to_vec(), |tier| vec![tier]);
         let (name, surface, ranges) = (&self.name, self.microsurface, self.chosen_ranges());
         let below = texture_ranges(ranges);
-        let attempt = |texture_tier: Tier, nodes: [usize; 2]| {
-            let texture = filter(map, self.colors, texture_tier, nodes, below)?;
+        let attempt = |texture_tier: Tier, nodes: [usize; 2], worth: f32| {
+            let model = named.iter().map(|&tier| height::model_error(map, tier, surface, ranges) as f32);
+            let model = if self.height_tier.is_some() { 0.0 } else { model.fold(f32::INFINITY, f32::min) };
+            let texture = filter(map, self.colors, texture_tier, nodes, below, worth - model)?;
             let own = self.texture_glue(map, texture_tier, below, &texture);
             let candidate = |&tier: &HeightTier| {
                 let filter = height::over(&texture, map, tier, surface, ranges, name, &arguments(&texture.tables));
@@ -50,7 +53,7 @@ impl Scene {
             };
             named.iter().map(candidate).collect()
         };
-        candidates.extend(self.by_tiers(self.tiers(), attempt)?);
+        self.by_tiers(&mut candidates, self.tiers(), attempt)?;
         Ok(candidates)
     }
 
@@ -63,20 +66,21 @@ impl Scene {
                 let constant = self.colors == Colors::Constant && !self.microsurface.perturbed;
                 let bands = (constant && height::banded(map)).then_some(HeightTier::Exact);
                 let table = self.accuracy.unwrap_or_default().tables.then_some(HeightTier::Skewed);
-                bands.into_iter().chain(table).chain([HeightTier::ClosedForm]).collect()
+                bands.into_iter().chain([HeightTier::ClosedForm]).chain(table).collect()
             }
         }
     }
 
-    /// The candidate of a tier of heights that needs no C0, its table having so many columns.
-    fn alone(&self, map: &ColorMap, tier: HeightTier, columns: usize) -> Result<Candidate, Error> {
+    /// The candidate of a tier of heights that needs no C0, its table having so many columns, where its bound may be at
+    /// most `worth`.
+    fn alone(&self, map: &ColorMap, tier: HeightTier, columns: usize, worth: f32) -> Result<Candidate, Error> {
         if let Some(named) = self.tier {
             return Err(Error::Conflict(format!("{named} does not go with {tier}: leave out the tier of values")));
         }
         let (name, surface, label) = (&self.name, self.microsurface, tier.to_string());
         let label = label + &of_texels([columns], [COLUMNS]);
         let filter = match tier {
-            HeightTier::Skewed => skewed(map, self.colors, surface, columns, self.chosen_ranges()),
+            HeightTier::Skewed => skewed(map, self.colors, surface, columns, self.chosen_ranges(), worth),
             HeightTier::ClosedForm => tails(map, self.colors, surface, self.chosen_ranges())?,
             _ => height::bands(map, self.colors, surface, self.chosen_ranges())?,
         };

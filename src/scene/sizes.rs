@@ -29,18 +29,19 @@ impl Scene {
         }
     }
 
-    /// The candidates of some tiers of C0, each with the sizes of its table.
+    /// The candidates of some tiers of C0, each with the sizes of its table, beside others: `attempt` is given the
+    /// bound above which a table is not worth its baking.
     pub(super) fn by_tiers(
         &self,
+        candidates: &mut Vec<Candidate>,
         tiers: Vec<Tier>,
-        attempt: impl Fn(Tier, [usize; 2]) -> Result<Vec<Candidate>, Error>,
-    ) -> Result<Vec<Candidate>, Error> {
-        let mut candidates = Vec::new();
+        attempt: impl Fn(Tier, [usize; 2], f32) -> Result<Vec<Candidate>, Error>,
+    ) -> Result<(), Error> {
         for tier in tiers {
             let sizes = if tier == Tier::Table { self.sizes(&SIZES, NODES) } else { vec![NODES] };
-            candidates.extend(self.by_sizes(&sizes, |nodes| attempt(tier, nodes))?);
+            self.beside(candidates, &sizes, |nodes, worth| attempt(tier, nodes, worth))?;
         }
-        Ok(candidates)
+        Ok(())
     }
 
     /// The candidates of tables of rising sizes, up to that from which on none would be chosen: a larger table weighs
@@ -50,10 +51,21 @@ impl Scene {
         sizes: &[T],
         attempt: impl Fn(T) -> Result<Vec<Candidate>, Error>,
     ) -> Result<Vec<Candidate>, Error> {
-        let asked = self.accuracy.unwrap_or_default().max_filter_error;
         let mut candidates = Vec::new();
+        self.beside(&mut candidates, sizes, |size, _| attempt(size))?;
+        Ok(candidates)
+    }
+
+    /// The same beside others, in the order in which they are tried.
+    pub(super) fn beside<T: Copy>(
+        &self,
+        candidates: &mut Vec<Candidate>,
+        sizes: &[T],
+        attempt: impl Fn(T, f32) -> Result<Vec<Candidate>, Error>,
+    ) -> Result<(), Error> {
+        let asked = self.accuracy.unwrap_or_default().max_filter_error;
         for (larger, &size) in (0..sizes.len()).rev().zip(sizes) {
-            let tried = attempt(size)?;
+            let tried = attempt(size, self.worth(candidates))?;
             let may_gain = |candidate: &Candidate| {
                 let tables = candidate.filter.tables.iter().map(Table::part).sum::<f32>();
                 let rest = candidate.judged - tables;
@@ -65,6 +77,6 @@ impl Scene {
                 break;
             }
         }
-        Ok(candidates)
+        Ok(())
     }
 }

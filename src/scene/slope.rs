@@ -44,10 +44,12 @@ impl Scene {
     pub(super) fn slopes(&self, map: &ColorMap) -> Result<Vec<Candidate>, Error> {
         let (name, ranges) = (&self.name, self.chosen_ranges());
         let tiers = self.slope_tier.map_or(SLOPES.to_vec(), |tier| vec![tier]);
-        let attempt = |texture_tier: Tier, nodes: [usize; 2]| {
+        let attempt = |texture_tier: Tier, nodes: [usize; 2], worth: f32| {
             // One and two normal distributions ask C0 for the same.
             let below = texture_ranges(tiers[0], ranges);
-            let texture = filter(map, self.colors, texture_tier, nodes, below)?;
+            let model = tiers.iter().map(|&tier| model_error(map, tier, ranges) as f32);
+            let model = if self.slope_tier.is_some() { 0.0 } else { model.fold(f32::INFINITY, f32::min) };
+            let texture = filter(map, self.colors, texture_tier, nodes, below, worth - model)?;
             let candidate = |&tier: &SlopeTier| {
                 let own = self.texture_glue(map, texture_tier, below, &texture);
                 let on = |tier| over(&texture, map, tier, ranges, name, &arguments(&texture.tables));
@@ -63,7 +65,9 @@ impl Scene {
             };
             tiers.iter().map(candidate).collect()
         };
-        self.by_tiers(self.tiers_below_slopes(), attempt)
+        let mut candidates = Vec::new();
+        self.by_tiers(&mut candidates, self.tiers_below_slopes(), attempt)?;
+        Ok(candidates)
     }
 
     /// The tiers of C0 that the scene names or allows; a single one for a map at a single slope.

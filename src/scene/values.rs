@@ -29,8 +29,8 @@ impl Scene {
 
     pub(super) fn textures(&self, map: &ColorMap) -> Result<Vec<Candidate>, Error> {
         let tabulated = self.distribution.tabulated();
-        let candidate = |tier: Tier, nodes: [usize; 2]| {
-            let filter = self.distribution.filter(map, self.colors, tier, nodes, self.chosen_ranges())?;
+        let candidate = |tier: Tier, nodes: [usize; 2], worth: f32| {
+            let filter = self.distribution.filter(map, self.colors, tier, nodes, self.chosen_ranges(), worth)?;
             let beneath = self.texture_glue(map, tier, self.chosen_ranges(), &filter);
             let color = color_type(map.channels());
             let paired = self.distribution == Distribution::Pair;
@@ -47,7 +47,9 @@ impl Scene {
         let hopeless =
             !tabulated && self.accuracy.is_some_and(|accuracy| edge.fold(0.0, f32::max) > accuracy.max_filter_error);
         let tiers = self.tiers().into_iter().filter(|tier| *tier != Tier::Table || self.tier.is_some() || !hopeless);
-        self.by_tiers(tiers.collect(), candidate)
+        let mut candidates = Vec::new();
+        self.by_tiers(&mut candidates, tiers.collect(), candidate)?;
+        Ok(candidates)
     }
 
     /// `NAME_pair`: the color over two normal distributions. Rounded weights may add up to more than one.

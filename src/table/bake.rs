@@ -33,6 +33,12 @@ pub(crate) struct Plan<'a> {
     pub judged: (f32, f32),
 }
 
+/// The normal distribution.
+fn normal() -> &'static Strip {
+    static NORMAL: OnceLock<Strip> = OnceLock::new();
+    NORMAL.get_or_init(|| Strip::new(0.0))
+}
+
 /// The distributions of each slice and of each middle between two, which are the same for every map.
 fn strips() -> &'static [Strip] {
     static STRIPS: OnceLock<Vec<Strip>> = OnceLock::new();
@@ -56,9 +62,13 @@ fn hull(map: &PiecewiseLinear) -> [[f64; 2]; 4] {
 }
 
 impl Plan<'_> {
-    /// A table of means over normal values, with its error as measured.
-    pub(crate) fn of_values(self, name: &str) -> Table {
-        let (lattice, normal) = (self.lattice(FLAT), &strips()[0]);
+    /// A table of means over normal values, with its error as measured; not baked where its narrowest rows err by more
+    /// than `most`.
+    pub(crate) fn of_values(self, name: &str, most: f32) -> Table {
+        let (lattice, normal) = (self.lattice(FLAT), normal());
+        if let Some(error) = self.hopeless(FLOOR, most) {
+            return lattice.unbaked(name, error);
+        }
         let texels = lattice.texels(|_, mean, deviation| normal.color(self.map, mean, deviation));
         let error = self.judge(lattice, FLOOR, &texels, normal);
         lattice.table(name, texels, error)
@@ -80,7 +90,7 @@ impl Plan<'_> {
 
     /// A table of means over values as those of an image, with its error as measured between texels.
     pub(crate) fn of_learned_values(self, name: &str, image: &Learned) -> Table {
-        let (lattice, normal) = (self.lattice(FLAT), &strips()[0]);
+        let (lattice, normal) = (self.lattice(FLAT), normal());
         let lesson = image.lesson(self.map, |mean, deviation| normal.color(self.map, mean, deviation));
         let hull = hull(self.map);
         let taught = |color: [f64; 4], mean: f64, deviation: f64| -> [f64; 4] {
@@ -96,13 +106,31 @@ impl Plan<'_> {
     }
 
     /// A table of means over visible heights, a slice a skewness, with its error as measured for deviations of all
-    /// heights from `floor` on: on the first slice and between slices.
-    pub(crate) fn of_heights(self, name: &str, floor: f64) -> Table {
-        let (lattice, strips) = (self.lattice(SLICES), strips());
+    /// heights from `floor` on: on the first slice and between slices. Not baked where the narrowest rows of all
+    /// heights err by more than `most`.
+    pub(crate) fn of_heights(self, name: &str, floor: f64, most: f32) -> Table {
+        let lattice = self.lattice(SLICES);
+        if let Some(error) = self.hopeless(floor, most) {
+            return lattice.unbaked(name, error);
+        }
+        let strips = strips();
         let texels = lattice.texels(|slice, mean, deviation| strips[2 * slice].color(self.map, mean, deviation));
         let judged = strips.iter().take(1).chain(strips.iter().skip(1).step_by(2));
         let error = judged.map(|strip| self.judge(lattice, floor, &texels, strip)).fold(0.0, f32::max);
         lattice.table(name, texels, error)
+    }
+
+    /// The error of the narrowest rows, where edges are read worst, if it is more than `most`: that of the whole table
+    /// is no less.
+    fn hopeless(self, floor: f64, most: f32) -> Option<f32> {
+        if most == f32::INFINITY {
+            return None;
+        }
+        let rows = self.deviations.number(floor).ceil() as usize + 1;
+        let first = Self { deviations: self.deviations.first(rows.max(2)), ..self };
+        let (lattice, normal) = (first.lattice(FLAT), normal());
+        let texels = lattice.texels(|_, mean, deviation| normal.color(self.map, mean, deviation));
+        Some(first.judge(lattice, floor, &texels, normal)).filter(|error| *error > most)
     }
 
     fn lattice(self, slices: Axis) -> Lattice {
@@ -125,6 +153,24 @@ impl Plan<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// A table that is given up errs by no more than the whole would, and one that is close enough has its texels.
+    #[test]
+    fn a_part_of_a_table_tells_that_it_is_not_worth_its_baking() {
+        let (black, white) = ([0.0, 0.3, 1.0, 1.0], [1.0, 0.4, 0.0, 1.0]);
+        let map = PiecewiseLinear { knots: vec![(0.1, black, black), (0.433, white, black), (0.9, white, white)] };
+        let means = Axis { low: -0.5, high: 1.5, count: 64, spacing: Spacing::Linear };
+        let deviations = Axis { low: 0.0, high: 0.5, count: 16, spacing: Spacing::CubeRoot };
+        let plan = Plan { map: &map, means, deviations, judged: (-0.5, 1.5) };
+        let of_heights = |most| plan.of_heights("table", 2e-3, most);
+        let bakes: [&dyn Fn(f32) -> Table; 2] = [&|most| plan.of_values("table", most), &of_heights];
+        for bake in bakes {
+            let (whole, part) = (bake(f32::INFINITY), bake(0.1));
+            assert!(whole.is_baked() && !part.is_baked() && whole.bytes() == part.bytes());
+            assert!((0.1..=whole.error).contains(&part.error), "{} {}", part.error, whole.error);
+            assert_eq!(bake(whole.error), whole);
+        }
+    }
 
     /// Rows of parts of the largest deviation are several times as close as rows of deviations, along whose columns the
     /// color bends where all values are at the ends.

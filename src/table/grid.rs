@@ -87,6 +87,11 @@ impl Axis {
         Self { low: best.1, high: best.1 + steps * best.2, count, spacing: Spacing::Linear }
     }
 
+    /// The first nodes alone, of an even spacing or one by roots.
+    pub(crate) fn first(self, count: usize) -> Self {
+        Self { high: self.value(count.saturating_sub(1) as f64), count, ..self }
+    }
+
     /// The same axis with its ends as a shader knows them.
     pub(crate) fn in_f32(self) -> Self {
         Self { low: f64::from(self.low as f32), high: f64::from(self.high as f32), ..self }

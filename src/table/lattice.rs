@@ -40,6 +40,11 @@ impl Lattice {
         (0..slices.count).flat_map(slice).collect()
     }
 
+    /// The table without texels, which errs by at least so much.
+    pub(super) fn unbaked(self, name: &str, error: f32) -> Table {
+        self.table(name, Vec::new(), error)
+    }
+
     /// The table of the texels.
     pub(super) fn table(self, name: &str, texels: Vec<f32>, error: f32) -> Table {
         let [width, height, depth] = self.0.map(|axis| axis.count as u32);

@@ -2,9 +2,11 @@
 
 use std::sync::OnceLock;
 
+use super::hiding::{Hiding, MOST};
 use crate::reference::normal::cumulative;
 use crate::reference::texture::PiecewiseLinear;
 use crate::transfer::height_transfer::HeightTransfer;
+use crate::transfer::polynomial::Piece;
 
 /// The widest cells, in deviations of f, besides what bends cut: of curves that only rise or only fall, and of others,
 /// of which cells on several slopes lie at one height.
@@ -19,10 +21,26 @@ pub(super) const REACH: f64 = 6.7;
 /// What is left where the rest no longer counts.
 const LEFT: f64 = 1e-6;
 
-/// The nodes of Gauss's rule of two over 0 to 1.
+/// The nodes of Gauss's rule of two over 0 to 1, and how far they are apart.
 const NODES: [f64; 2] = [0.211_324_865_405_187_1, 0.788_675_134_594_812_9];
+const BETWEEN: f64 = NODES[1] - NODES[0];
+
+/// Values of f between two bends, over which the curve is one piece and the map one line.
+struct Stretch {
+    /// The end of the values.
+    to: f64,
+    /// The piece of a curve that has such.
+    piece: Option<Piece>,
+    /// The curve has the slope 0.
+    level: bool,
+    /// A height of the map's line.
+    height: f64,
+    /// The color there, and its change with the height.
+    line: [[f64; 4]; 2],
+}
 
 /// A part of the values of f, between two places where nothing bends.
+#[derive(Clone, Copy)]
 struct Cell {
     /// The mean of its ends' heights.
     height: f64,
@@ -30,121 +48,194 @@ struct Cell {
     share: f64,
     /// |g′| at the nodes, the lower one first.
     steepness: [f64; 2],
-    /// Logarithm of the density of f at its higher end over that at its lower one.
-    rise: f64,
-    /// The part of its values that the higher node stands for.
-    higher: f64,
-    /// The colors at the nodes, the lower one first.
+    /// The part of its density that the lower node has of that of the higher one.
+    fall: f64,
+    /// The color at the lower node, and by how much that at the higher one differs.
     colors: [[f64; 4]; 2],
-}
-
-/// The mean color over what is visible of heights of values of the given mean and deviation, for each of some Λ;
-/// `bends` rise, and between them map and curve are smooth.
-pub(super) fn colors(
-    map: &PiecewiseLinear,
-    curve: &HeightTransfer,
-    bends: &[f64],
-    [mean, deviation]: [f64; 2],
-    lambdas: &[f64],
-) -> Vec<[f64; 4]> {
-    if deviation <= 0.0 {
-        return vec![map.value(curve.height(mean)); lambdas.len()];
-    }
-    let mut cells = cells(map, curve, bends, [mean, deviation]);
-    cells.sort_by(|a, b| b.height.total_cmp(&a.height));
-    let total: f64 = cells.iter().map(|cell| cell.share * cell.mean(cell.steepness)).sum();
-    let mut below = 1.0f64;
-    let layer = |cell: &Cell| {
-        let rest = (below - cell.share).max(0.0);
-        let steepness = cell.steepness.map(|steepness| if total > 0.0 { steepness / total } else { 1.0 });
-        let relative = cell.mean(steepness);
-        let hidden = if relative > 0.0 { relative * (below / rest.max(f64::MIN_POSITIVE)).ln() } else { 0.0 };
-        below = rest;
-        Layer { rest, steepness, hidden, rise: cell.rise, colors: cell.colors }
-    };
-    let layers: Vec<Layer> = cells.iter().map(layer).collect();
-    lambdas.iter().map(|&lambda| seen(&layers, lambda)).collect()
-}
-
-fn cells(map: &PiecewiseLinear, curve: &HeightTransfer, bends: &[f64], [mean, deviation]: [f64; 2]) -> Vec<Cell> {
-    let given = ends(curve.is_monotone());
-    let mut ends = Vec::with_capacity(given.len() + bends.len());
-    let mut inner = bends.iter().map(|at| (at - mean) / deviation).filter(|z| z.abs() < REACH).peekable();
-    for &end in given {
-        while let Some(z) = inner.next_if(|&z| z < end[0]) {
-            ends.push([z, cumulative(z)]);
-        }
-        ends.push(end);
-    }
-    let mut last = 0.0;
-    let cell = |pair: &[[f64; 2]]| {
-        let [[from, _], [to, next]] = [pair[0], pair[1]];
-        let share = next - last;
-        last = next;
-        let at = NODES.map(|part| mean + deviation * (from + part * (to - from)));
-        let heights = at.map(|value| curve.height(value));
-        let mut colors = heights.map(|height| map.value(height));
-        let mut steepness = at.map(|value| curve.slope(value).abs());
-        let mut rise = 0.5 * (from * from - to * to);
-        if heights[1] < heights[0] {
-            colors.reverse();
-            steepness.reverse();
-            rise = -rise;
-        }
-        let higher = 1.0 / (1.0 + (-(NODES[1] - NODES[0]) * rise).exp());
-        Cell { height: 0.5 * (heights[0] + heights[1]), share, steepness, rise, higher, colors }
-    };
-    ends.windows(2).map(cell).collect()
 }
 
 impl Cell {
-    /// The mean of what is known at the nodes, which count as the density does.
-    fn mean(&self, [low, high]: [f64; 2]) -> f64 {
-        low + self.higher * (high - low)
+    /// The mean of |g′| at the nodes, which count as the density does.
+    fn mean(&self) -> f64 {
+        let [low, high] = self.steepness;
+        low + (high - low) / (1.0 + self.fall)
     }
 }
 
-/// A cell below those that hide it.
-struct Layer {
-    /// How many of all values are lower.
-    rest: f64,
-    /// |g′|/E|g′| at the nodes, the lower one first.
-    steepness: [f64; 2],
-    /// How much it hides of what is below, in Λ.
-    hidden: f64,
-    /// As of its cell.
-    rise: f64,
-    /// As of its cell.
-    colors: [[f64; 4]; 2],
+/// A map over the heights that a curve makes, cut where either bends.
+pub(super) struct Layers<'a> {
+    curve: &'a HeightTransfer,
+    /// It never falls.
+    rises: bool,
+    /// By rising values.
+    stretches: Vec<Stretch>,
+    /// The ends of cells besides the stretches'.
+    ends: &'static [[f64; 2]],
 }
 
-/// The mean color of layers from the top.
-fn seen(layers: &[Layer], lambda: f64) -> [f64; 4] {
-    let (mut hiding, mut seen, mut color) = (0.0, 1.0f64, [0.0; 4]);
-    for Layer { rest, steepness: [low, high], hidden, rise, colors } in layers {
-        hiding += hidden;
-        let left = if seen > LEFT { rest * (-lambda * hiding).exp() } else { 0.0 };
-        // Of what is visible of the cell the part at its higher node, where the density is that of f times
-        // (1 + Λ |g′|/E|g′|) e^(−ΛX), the first and the last even in their logarithms.
-        let higher = if colors[0] == colors[1] {
-            0.0
-        } else {
-            let fall = (-(NODES[1] - NODES[0]) * (rise + lambda * hidden)).exp();
-            let (low, high) = (fall * (1.0 + lambda * low), 1.0 + lambda * high);
-            high / (low + high)
+impl<'a> Layers<'a> {
+    /// `bends` rise, and between them map and curve are smooth.
+    pub(super) fn new(map: &PiecewiseLinear, curve: &'a HeightTransfer, bends: &[f64]) -> Self {
+        let from = std::iter::once(f64::NEG_INFINITY).chain(bends.iter().copied());
+        let to = bends.iter().copied().chain([f64::INFINITY]);
+        let stretch = |(from, to): (f64, f64)| {
+            let middle = match (from.is_finite(), to.is_finite()) {
+                (true, true) => 0.5 * (from + to),
+                (true, false) => from + 1.0,
+                (false, true) => to - 1.0,
+                (false, false) => 0.0,
+            };
+            let pieces = curve.pieces().unwrap_or_default();
+            let piece = pieces.iter().find(|piece| middle < piece.to).copied();
+            let (height, line) = line(map, curve.height(middle));
+            let level = piece.is_some_and(|piece| piece.is_level());
+            Stretch { to, piece, level, height, line }
         };
-        for (channel, sum) in color.iter_mut().enumerate() {
-            let [low, high] = [colors[0][channel], colors[1][channel]];
-            *sum += (seen - left) * (low + higher * (high - low));
+        let rises = curve.slopes(f64::NEG_INFINITY, f64::INFINITY).0 >= 0.0;
+        Self { curve, rises, stretches: from.zip(to).map(stretch).collect(), ends: ends(curve.is_monotone()) }
+    }
+
+    /// The mean color over what is visible of heights of values of the given mean and deviation, for each Λ.
+    pub(super) fn colors(&self, mean: f64, deviation: f64, hiding: &Hiding) -> Vec<[f64; 4]> {
+        if deviation <= 0.0 {
+            let stretch = self.stretches.partition_point(|stretch| stretch.to <= mean);
+            return vec![self.stretches[stretch].at(self.curve, mean).2; hiding.lambdas().len()];
         }
-        seen = left;
-        if seen <= 0.0 {
-            break;
+        let mut cells = self.cells(mean, deviation);
+        if self.rises {
+            cells.reverse();
+        } else {
+            cells.sort_by(|a, b| b.height.total_cmp(&a.height));
+        }
+        seen(&cells, hiding)
+    }
+
+    fn cells(&self, mean: f64, deviation: f64) -> Vec<Cell> {
+        let mut cells = Vec::with_capacity(self.ends.len() + self.stretches.len());
+        let [mut from, last] = [self.ends[0], self.ends[self.ends.len() - 1]];
+        let mut ends = self.ends[1..].iter().copied().peekable();
+        for stretch in &self.stretches {
+            let to = (stretch.to - mean) / deviation;
+            if to <= from[0] {
+                continue;
+            }
+            let to = if to < last[0] { [to, cumulative(to)] } else { last };
+            let mut cell = |ends: [[f64; 2]; 2]| cells.push(stretch.cell(self.curve, [mean, deviation], ends));
+            while let Some(end) = ends.next_if(|end| end[0] < to[0]) {
+                // What is level is one cell.
+                if !stretch.level {
+                    cell([from, end]);
+                    from = end;
+                }
+            }
+            cell([from, to]);
+            from = to;
+            if from[0] >= last[0] {
+                break;
+            }
+        }
+        cells
+    }
+}
+
+/// A height and a color of the map's line about another height, and the change of color with the height.
+fn line(map: &PiecewiseLinear, height: f64) -> (f64, [[f64; 4]; 2]) {
+    let next = map.knots.partition_point(|knot| knot.0 <= height);
+    match (next.checked_sub(1).map(|last| map.knots[last]), map.knots.get(next)) {
+        (Some((from, _, color)), Some((to, end, _))) => {
+            let change = std::array::from_fn(|channel| (end[channel] - color[channel]) / (to - from));
+            (from, [color, change])
+        }
+        _ => (height, [map.value(height), [0.0; 4]]),
+    }
+}
+
+impl Stretch {
+    /// Height, slope and color at a value.
+    fn at(&self, curve: &HeightTransfer, value: f64) -> (f64, f64, [f64; 4]) {
+        let (height, slope) = match &self.piece {
+            Some(piece) => piece.at(value),
+            None => (curve.height(value), curve.slope(value)),
+        };
+        let above = height - self.height;
+        let [color, change] = self.line;
+        (height, slope, std::array::from_fn(|channel| color[channel] + above * change[channel]))
+    }
+
+    /// The cell between two ends within it.
+    fn cell(
+        &self,
+        curve: &HeightTransfer,
+        [mean, deviation]: [f64; 2],
+        [[from, below], [to, next]]: [[f64; 2]; 2],
+    ) -> Cell {
+        let at = NODES.map(|part| self.at(curve, mean + deviation * (from + part * (to - from))));
+        let mut rise = 0.5 * (from * from - to * to);
+        let [mut low, mut high] = at;
+        if high.0 < low.0 {
+            (low, high) = (high, low);
+            rise = -rise;
+        }
+        let more = std::array::from_fn(|channel| high.2[channel] - low.2[channel]);
+        Cell {
+            height: 0.5 * (low.0 + high.0),
+            share: next - below,
+            steepness: [low.1.abs(), high.1.abs()],
+            fall: (-BETWEEN * rise).exp(),
+            colors: [low.2, more],
+        }
+    }
+}
+
+/// The mean colors of cells from the top.
+fn seen(cells: &[Cell], hiding: &Hiding) -> Vec<[f64; 4]> {
+    let total: f64 = cells.iter().map(|cell| cell.share * cell.mean()).sum();
+    // By channels, so that the Λ of each stand next to each other.
+    let (mut sums, mut seen) = ([[0.0; MOST]; 4], [1.0f64; MOST]);
+    let (mut below, mut depth, mut count) = (1.0f64, 0.0, hiding.lambdas().len());
+    for cell in cells {
+        let rest = (below - cell.share).max(0.0);
+        let relative = |steepness: f64| if total > 0.0 { steepness / total } else { 1.0 };
+        let mean = relative(cell.mean());
+        let hidden = if mean > 0.0 { mean * (below / rest.max(f64::MIN_POSITIVE)).ln() } else { 0.0 };
+        (below, depth) = (rest, depth + hidden);
+        let mut shares = [0.0; MOST];
+        let left = hiding.left(depth, count);
+        for index in 0..count {
+            let left = if seen[index] > LEFT { rest * left[index] } else { 0.0 };
+            shares[index] = seen[index] - left;
+            seen[index] = left;
+        }
+        let [color, more] = cell.colors;
+        add(&mut sums, color, &shares[..count]);
+        if more != [0.0; 4] {
+            // Of what is visible of the cell the part at its higher node, where the density is that of f times
+            // (1 + Λ |g′|/E|g′|) e^(−ΛX), the first and the last even in their logarithms.
+            let [low, high] = cell.steepness.map(relative);
+            let falls = hiding.left(BETWEEN * hidden, count);
+            for index in 0..count {
+                let lambda = hiding.lambdas()[index];
+                let [low, high] = [cell.fall * falls[index] * (1.0 + lambda * low), 1.0 + lambda * high];
+                shares[index] *= high / (low + high);
+            }
+            add(&mut sums, more, &shares[..count]);
+        }
+        // As Λ rises, less is left.
+        while count > 0 && seen[count - 1] <= 0.0 {
+            count -= 1;
         }
     }
     // What rounding leaves below the lowest cell.
-    let lowest = layers.last().map_or([0.0; 4], |layer| layer.colors[0]);
-    std::array::from_fn(|channel| color[channel] + seen * lowest[channel])
+    let lowest = cells.last().map_or([0.0; 4], |cell| cell.colors[0]);
+    add(&mut sums, lowest, &seen);
+    (0..hiding.lambdas().len()).map(|index| sums.map(|sum| sum[index])).collect()
+}
+
+/// Adds shares of a color.
+fn add(sums: &mut [[f64; MOST]; 4], color: [f64; 4], shares: &[f64]) {
+    for (sums, channel) in sums.iter_mut().zip(color).filter(|(_, channel)| *channel != 0.0) {
+        sums.iter_mut().zip(shares).for_each(|(sum, share)| *sum += share * channel);
+    }
 }
 
 /// The ends of cells in deviations of f, with the probabilities below them.

@@ -2,12 +2,15 @@
 
 pub(crate) mod bake;
 pub mod grid;
+mod hiding;
 mod lattice;
 mod layers;
 pub(crate) mod learned;
+mod normal;
 pub(crate) mod power;
 pub(crate) mod rice;
 mod rule;
+mod slope_hiding;
 pub(crate) mod slope_map;
 pub mod slope_nodes;
 mod slope_steps;
@@ -116,6 +119,11 @@ impl Table {
     /// Bytes of all levels.
     pub fn bytes(&self) -> usize {
         self.levels.iter().map(Level::count).sum::<usize>() * self.format.bytes_per_texel()
+    }
+
+    /// Whether it has its texels: one that errs by too much in a part of it has none, and that part's error.
+    pub(crate) fn is_baked(&self) -> bool {
+        self.levels.iter().all(|level| level.texels.len() == level.count() * self.format.channels())
     }
 
     /// Its part in a bound: twice the error.

@@ -79,27 +79,26 @@ fn mean(map: &PiecewiseLinear, center: f64, deviation: f64) -> [f64; 4] {
         return map.value(center * (1.0 + part * (0.5 + 0.125 * part)));
     }
     let mut sum = [0.0; 4];
-    let mut add = |from: f64, to: f64, color: &dyn Fn(f64) -> [f64; 4]| {
-        let piece: [f64; 4] = integrate(from.clamp(low, high), to.clamp(low, high), 8.0 * deviation, |length| {
+    // Of a color and its change with the length beyond `start`.
+    let mut add = |from: f64, to: f64, start: f64, [color, change]: [[f64; 4]; 2]| {
+        let [share, along] = integrate(from.clamp(low, high), to.clamp(low, high), 8.0 * deviation, |length| {
             let apart = (length - center) / deviation;
             let x = length * center / (deviation * deviation);
             let density = length / (deviation * deviation) * (-0.5 * apart * apart).exp() * bessel(x);
-            color(length).map(|channel| density * channel)
+            [density, density * (length - start)]
         });
-        for (total, value) in sum.iter_mut().zip(piece) {
-            *total += value;
+        for (channel, total) in sum.iter_mut().enumerate() {
+            *total += share * color[channel] + along * change[channel];
         }
     };
     if let (Some(first), Some(last)) = (map.knots.first(), map.knots.last()) {
-        add(low, first.0, &|_| first.1);
-        add(last.0, high, &|_| last.2);
+        add(low, first.0, first.0, [first.1, [0.0; 4]]);
+        add(last.0, high, last.0, [last.2, [0.0; 4]]);
     }
     for pair in map.knots.windows(2) {
         let [(from, _, right), (to, left, _)] = [pair[0], pair[1]];
-        add(from, to, &|length| {
-            let along = (length - from) / (to - from);
-            std::array::from_fn(|channel| right[channel] + along * (left[channel] - right[channel]))
-        });
+        let change = std::array::from_fn(|channel| (left[channel] - right[channel]) / (to - from));
+        add(from, to, from, [right, change]);
     }
     sum
 }

@@ -4,13 +4,17 @@
 //! The others are Gauss's rule of |g′| over the rest. A rule of all |g′| puts a node near 0, not on it, and misses the
 //! step at the slope 0 by half of the level share.
 
+use std::sync::OnceLock;
+
 use super::grid::{Axis, Spacing};
 use super::lattice::{half_rounded, rows, Lattice};
 use super::rule::rule;
+use super::slope_hiding::hidden;
 use super::slope_steps::step_error;
 use super::Table;
-use crate::reference::slope_nodes::{Part, Transferred};
+use crate::reference::slope_nodes::{Ends, Part, Transferred};
 use crate::transfer::height_transfer::HeightTransfer;
+use crate::transfer::polynomial::Piece;
 
 /// How far hiding follows |g′|: a compromise, chosen by ray-cast fields. With 0, which is P^Λ, smoothstep(0, 1.2) is
 /// 0.016 of a step off at 75 degrees, with this 0.019, and with 1 more; beyond 85 degrees, and for convex curves, more
@@ -23,15 +27,11 @@ const LEVEL: f64 = 1e-9;
 /// Parts of a deviation, for nodes.
 const PARTS: usize = 16;
 
-/// The Λ at which the share of a node that is hidden is exact.
-const EXACT: [f64; 2] = [0.5, 2.0];
-
-/// The spreads that a shader takes.
-const SPREADS: [f64; 2] = [0.02, 64.0];
-
-/// The largest rate that is stored: a node that is hidden as fast is gone beside any other, and an infinite one would
-/// spoil what is read between its slice and the next.
-const FASTEST: f64 = 1e4;
+/// The ends of such parts.
+fn ends() -> &'static Ends {
+    static ENDS: OnceLock<Ends> = OnceLock::new();
+    ENDS.get_or_init(|| Ends::even(PARTS))
+}
 
 /// What is stored of the nodes, a slice each.
 const SLICES: usize = 4;
@@ -63,8 +63,13 @@ pub struct Nodes<'a> {
 impl Nodes<'_> {
     /// The surface over a normal f.
     pub fn surface(&self, parts: usize, mean: f64, deviation: f64) -> Transferred {
+        self.between(&Ends::even(parts), mean, deviation)
+    }
+
+    /// The same between ends that are known.
+    fn between(&self, ends: &Ends, mean: f64, deviation: f64) -> Transferred {
         let curve = self.curve;
-        Transferred::in_parts(parts, [mean, deviation], &self.breaks(), |f| curve.height(f), |f| curve.slope(f))
+        Transferred::between(ends, [mean, deviation], &self.breaks(), |f| curve.height(f), |f| curve.slope(f))
     }
 
     /// The values between which the curve is smooth.
@@ -74,14 +79,13 @@ impl Nodes<'_> {
     }
 
     /// Whether the curve has level pieces, for which the first node is kept.
-    pub(crate) fn has_level(&self) -> bool {
-        let mut pieces = self.curve.pieces().unwrap_or_default().iter();
-        pieces.any(|piece| piece.coefficients[1..].iter().all(|coefficient| *coefficient == 0.0))
+    fn has_level(&self) -> bool {
+        self.curve.pieces().unwrap_or_default().iter().any(Piece::is_level)
     }
 
     /// The nodes over a normal f; those that are not needed have the weight 0.
     pub fn over(&self, mean: f64, deviation: f64) -> [Node; 4] {
-        let surface = self.surface(PARTS, mean, deviation);
+        let surface = self.between(ends(), mean, deviation);
         let rates = surface.rates(FOLLOWS);
         let steepest = surface.parts.iter().map(|part| part.scale.abs()).fold(0.0, f64::max);
         let has_level = self.has_level();
@@ -90,8 +94,8 @@ impl Nodes<'_> {
         let mut nodes = [Node { spread: 1.0, rate: 1.0, ..Node::default() }; 4];
         let mut next = 0;
         if has_level {
-            let share = |(part, rate): (&Part, &f64)| (if level(part) { part.share } else { 0.0 }, *rate);
-            let shares: Vec<(f64, f64)> = surface.parts.iter().zip(&rates).map(share).collect();
+            let share = |(part, rate): (&Part, &f64)| level(part).then_some((part.share, *rate));
+            let shares: Vec<(f64, f64)> = surface.parts.iter().zip(&rates).filter_map(share).collect();
             nodes[0] = hidden(0.0, &shares);
             next = 1;
         }
@@ -121,7 +125,7 @@ impl Nodes<'_> {
                 below += share;
                 (part, rate)
             });
-            let within: Vec<(f64, f64)> = within.collect();
+            let within: Vec<(f64, f64)> = within.filter(|part| part.0 > 0.0).collect();
             nodes[next] = hidden(scale, &within);
             nodes[next].weight = weight * whole;
             (next, from) = (next + 1, to);
@@ -144,35 +148,6 @@ impl Nodes<'_> {
             scale.abs()
         }
     }
-}
-
-/// A node of parts of the surface, each with how fast it is hidden.
-fn hidden(scale: f64, parts: &[(f64, f64)]) -> Node {
-    let weight: f64 = parts.iter().map(|part| part.0).sum();
-    if weight <= 1e-12 {
-        return Node { scale, weight: 0.0, rate: 1.0, spread: 1.0 };
-    }
-    let bits = |lambda: f64| {
-        let seen: f64 = parts.iter().map(|(share, rate)| share * (-lambda * rate).exp()).sum();
-        -(seen / weight).ln().min(0.0)
-    };
-    let [less, more] = EXACT.map(bits);
-    // ln(1 + Λ spread) at both Λ are as the logarithms of what is left: their ratio falls from 4 to 1 as spread grows.
-    let ratio = |spread: f64| (EXACT[1] * spread).ln_1p() / (EXACT[0] * spread).ln_1p();
-    let [mut low, mut high] = SPREADS;
-    // To 5e-7 of itself.
-    for _ in 0..24 {
-        let middle = (low * high).sqrt();
-        if ratio(middle) * less > more {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    let spread = (low * high).sqrt();
-    // Where the spread ends, the larger Λ counts.
-    let rate = more * spread / (EXACT[1] * spread).ln_1p();
-    Node { scale, weight, rate: rate.min(FASTEST), spread }
 }
 
 /// Columns and rows between which a table is judged: one in so many.
@@ -206,9 +181,10 @@ pub fn table(nodes: Nodes<'_>, means: Axis, deviations: Axis, name: &str) -> Tab
 /// The largest step error between the texels.
 fn error(nodes: Nodes<'_>, lattice: Lattice, texels: &[f32]) -> f32 {
     let Lattice([means, deviations, _]) = lattice;
+    let few = Ends::even(1);
     let square = |row: usize| {
         let deviation = deviations.value(row as f64);
-        let of = |column: usize| nodes.surface(1, means.value(column as f64), deviation);
+        let of = |column: usize| nodes.between(&few, means.value(column as f64), deviation);
         let squares = (0..means.count).map(|column| of(column).average(|part| part.scale * part.scale));
         vec![squares.fold(0.0, f64::max) as f32]
     };
@@ -228,7 +204,7 @@ fn error(nodes: Nodes<'_>, lattice: Lattice, texels: &[f32]) -> f32 {
                 rate: rates[node],
                 spread: spreads[node],
             });
-            step_error(&nodes.surface(PARTS, mean, lines[line]), &read, steepest)
+            step_error(&nodes.between(ends(), mean, lines[line]), &read, steepest)
         });
         vec![errors.fold(0.0, f64::max) as f32]
     };
@@ -238,6 +214,7 @@ fn error(nodes: Nodes<'_>, lattice: Lattice, texels: &[f32]) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::table::slope_hiding::FASTEST;
 
     /// What the notes behind the crate have as Gauss's rule of |g′|, for a surface of which a third is level: the step
     /// at the slope 0 is off by up to half of it, however many nodes there are.

@@ -1,7 +1,7 @@
 //! How far steps over the slopes in sight of a transferred surface are, by nodes, from those by all its parts.
 
+use super::normal;
 use super::slope_nodes::{Node, FOLLOWS};
-use crate::reference::normal::{cumulative, density};
 use crate::reference::slope_nodes::{Part, Transferred};
 
 /// Degrees of the views from the normal.
@@ -42,17 +42,14 @@ pub(super) fn step_error(surface: &Transferred, nodes: &[Node; 4], steepest: f64
 
 /// The shares in sight below each edge on either side of 0, for each view.
 fn below(shares: &Shares, edges: &[f64], seen: impl Fn(f64, usize) -> f64) -> Vec<f64> {
-    let ends = |deviation: f64, edge: f64| {
-        let z = edge / deviation.max(1e-12);
-        (cumulative(z), density(z))
-    };
-    let known: Vec<Vec<(f64, f64)>> =
+    let ends = |deviation: f64, edge: f64| normal::below(edge / deviation.max(1e-12));
+    let known: Vec<Vec<[f64; 2]>> =
         shares.iter().map(|share| edges.iter().map(|&edge| ends(share.0, edge)).collect()).collect();
     let view = |degrees: f64| {
         let (sin, cos) = libm::sincos(degrees.to_radians());
         // E[max(t, 0)] of t = cos − sin · slope, over slopes below an edge or below where they face away.
         let horizon = cos / sin.max(1e-12);
-        let part = |deviation: f64, (probability, density): (f64, f64)| cos * probability + sin * deviation * density;
+        let part = |deviation: f64, [probability, density]: [f64; 2]| cos * probability + sin * deviation * density;
         let areas: Vec<f64> = shares.iter().map(|share| part(share.0, ends(share.0, horizon))).collect();
         let whole: f64 = shares.iter().zip(&areas).map(|(share, area)| share.1 * area).sum();
         let lambda = (whole / (cos * shares.iter().map(|share| share.1).sum::<f64>()) - 1.0).max(0.0);
@@ -60,9 +57,9 @@ fn below(shares: &Shares, edges: &[f64], seen: impl Fn(f64, usize) -> f64) -> Ve
         let all: f64 = weights.iter().zip(&areas).map(|(weight, area)| weight * area).sum();
         let below = |(number, &edge): (usize, &f64)| {
             let each = (0..shares.len()).map(|index| {
-                let (probability, density) = known[index][number];
+                let [probability, density] = known[index][number];
                 let [lower, upper] =
-                    [1.0 - probability, probability].map(|below| part(shares[index].0, (below, density)));
+                    [1.0 - probability, probability].map(|below| part(shares[index].0, [below, density]));
                 let upper = if edge < horizon { upper } else { areas[index] };
                 [lower, upper].map(|area| weights[index] * area)
             });

@@ -1,8 +1,9 @@
 //! Tables of a map's means over the visible heights h = g(f) of a curve g, by mean and deviation of f.
 
 use super::grid::{Axis, Spacing};
+use super::hiding::Hiding;
 use super::lattice::{half_rounded, rows, Lattice};
-use super::layers::{colors, REACH};
+use super::layers::{Layers, REACH};
 use super::Table;
 use crate::reference::slope_nodes::Transferred;
 use crate::reference::texture::PiecewiseLinear;
@@ -31,19 +32,20 @@ impl Plan<'_> {
     pub(crate) fn table(&self, name: &str, floor: f64) -> Table {
         let lattice = Lattice([self.means, self.deviations, HIDING]);
         let bends = self.bends();
-        let lambdas: Vec<f64> = (0..HIDING.count).map(|slice| lambda(slice as f64)).collect();
+        let layers = Layers::new(self.map, self.curve, &bends);
+        let hiding = Hiding::new([1.0, 2.0, 3.0].map(lambda), HIDING.count);
         let line = |row: usize| {
             let deviation = self.deviations.value(row as f64);
-            let colors = |column: usize| self.colors(&bends, self.means.value(column as f64), deviation, &lambdas);
+            let colors = |column: usize| layers.colors(self.means.value(column as f64), deviation, &hiding);
             let columns: Vec<Vec<[f64; 4]>> = (0..self.means.count).map(colors).collect();
-            let slices = (0..lambdas.len()).flat_map(|slice| columns.iter().map(move |column| column[slice]));
+            let slices = (0..HIDING.count).flat_map(|slice| columns.iter().map(move |column| column[slice]));
             slices.flat_map(|color| color.map(half_rounded)).collect()
         };
         let lines = rows(self.deviations.count, line);
-        let (stride, slices) = (4 * self.means.count, lambdas.len());
+        let (stride, slices) = (4 * self.means.count, HIDING.count);
         let of = |slice: usize| (0..self.deviations.count).map(move |row| (row * slices + slice) * stride);
         let texels: Vec<f32> = (0..slices).flat_map(of).flat_map(|at| lines[at..at + stride].iter().copied()).collect();
-        let error = self.error(lattice, &bends, &texels, floor);
+        let error = self.error(lattice, &layers, &bends, &texels, floor);
         lattice.table(name, texels, error)
     }
 
@@ -51,11 +53,11 @@ impl Plan<'_> {
     /// first and the last row, between rows and on the least, over the centers of every other cell of columns, those
     /// between them on the next line, and where the color bends. Of each line the reference has the last word where the
     /// difference is largest.
-    fn error(&self, lattice: Lattice, bends: &[f64], texels: &[f32], floor: f64) -> f32 {
+    fn error(&self, lattice: Lattice, layers: &Layers<'_>, bends: &[f64], texels: &[f32], floor: f64) -> f32 {
         let Lattice([columns, deviations, _]) = lattice;
         let between = (0..HIDING.count - 1).map(|slice| slice as f64 + 0.5);
         let thirds: Vec<f64> = [0.0].into_iter().chain(between).map(|slice| HIDING.value(slice)).collect();
-        let lambdas: Vec<f64> = thirds.iter().map(|third| third.exp2() - 1.0).collect();
+        let hiding = Hiding::new([0.5, 1.5, 2.5].map(lambda), HIDING.count);
         // Of many bends some stand for all: each costs as much as a column.
         let within = bends.iter().copied().filter(|at| (columns.low..=columns.high).contains(at));
         let some: Vec<f64> = within.step_by(bends.len().div_ceil(JUDGED[0]).max(1)).collect();
@@ -71,13 +73,13 @@ impl Plan<'_> {
             let centers = (line % JUDGED[1]..columns.count - 1).step_by(JUDGED[1]);
             let places = centers.map(|cell| columns.value(cell as f64 + 0.5)).chain(some.iter().copied());
             let errors = places.flat_map(|mean| {
-                let colors = self.colors(bends, mean, deviation, &lambdas).into_iter().enumerate();
+                let colors = layers.colors(mean, deviation, &hiding).into_iter().enumerate();
                 colors.map(move |(slice, color)| (mean, slice, color)).collect::<Vec<_>>()
             });
             let errors = errors.map(|(mean, slice, color)| (apart(mean, thirds[slice], color), mean, slice));
             let (_, mean, slice) =
                 errors.fold((0.0, columns.low, 0), |one, next| if next.0 > one.0 { next } else { one });
-            vec![apart(mean, thirds[slice], self.truth(bends, mean, deviation, lambdas[slice])) as f32]
+            vec![apart(mean, thirds[slice], self.truth(bends, mean, deviation, hiding.lambdas()[slice])) as f32]
         };
         rows(lines.len(), worst).into_iter().fold(0.0, f32::max)
     }
@@ -99,12 +101,7 @@ impl Plan<'_> {
         bends(self.map, self.curve, (self.means.low - far, self.means.high + far))
     }
 
-    /// The mean color over what is visible of heights of values of the given mean and deviation, for each of some Λ.
-    fn colors(&self, bends: &[f64], mean: f64, deviation: f64, lambdas: &[f64]) -> Vec<[f64; 4]> {
-        colors(self.map, self.curve, bends, [mean, deviation], lambdas)
-    }
-
-    /// The same by the reference's many parts.
+    /// The mean color over what is visible of heights, by the reference's many parts.
     fn truth(&self, bends: &[f64], mean: f64, deviation: f64, lambda: f64) -> [f64; 4] {
         let curve = self.curve;
         let all = Transferred::new([mean, deviation], bends, |value| curve.height(value), |value| curve.slope(value));
@@ -156,11 +153,11 @@ mod tests {
     fn colors_over_a_line_are_those_without_a_curve() -> Result<(), crate::Error> {
         let (map, line) = (map(), HeightTransfer::power(1.0)?);
         let plan = plan(&map, &line);
-        let bends = plan.bends();
+        let layers = Layers::new(&map, &line, &plan.bends());
         for strip in [0.0, 0.7, 39.0, 1e3].map(Strip::new) {
             for (mean, deviation) in [(0.31, 0.02), (-0.4, 0.3), (0.7, 0.5), (1.2, 0.2), (0.31, 0.0)] {
                 let expected = strip.color(&map, mean + deviation * strip.mean, deviation * strip.deviation);
-                let found = plan.colors(&bends, mean, deviation, &[strip.lambda])[0];
+                let found = layers.colors(mean, deviation, &Hiding::new([strip.lambda; 3], 2))[1];
                 let apart = found.iter().zip(expected).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
                 assert!(apart < 2e-4, "{}, {mean}, {deviation}: {apart:e}", strip.lambda);
             }
@@ -176,10 +173,11 @@ mod tests {
         for curve in [HeightTransfer::smoothstep(0.0, 1.2)?, HeightTransfer::absolute(), peaks] {
             let plan = plan(&map, &curve);
             let bends = plan.bends();
+            let layers = Layers::new(&map, &curve, &bends);
             for [mean, deviation] in [[0.31, 0.05], [-0.4, 0.3], [0.7, 0.5], [1.2, 0.2], [0.31, 0.0]] {
                 for lambda in [0.0, 0.4, 5.0, 100.0, 1e4] {
                     let truth = plan.truth(&bends, mean, deviation, lambda);
-                    let found = plan.colors(&bends, mean, deviation, &[lambda])[0];
+                    let found = layers.colors(mean, deviation, &Hiding::new([lambda; 3], 2))[1];
                     let apart = found.iter().zip(truth).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
                     assert!(apart < 2e-3, "{curve:?}, {mean}, {deviation}, {lambda}: {apart:e}");
                 }

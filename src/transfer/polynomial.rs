@@ -53,6 +53,17 @@ impl Piece {
         horner(&self.derivative(), (value - self.origin) / self.unit) / self.unit
     }
 
+    /// Whether it has the slope 0.
+    pub fn is_level(&self) -> bool {
+        self.coefficients[1..].iter().all(|coefficient| *coefficient == 0.0)
+    }
+
+    /// Height and slope at a finite value.
+    pub fn at(&self, value: f64) -> (f64, f64) {
+        let ([a, b, c, d], t) = (self.coefficients, (value - self.origin) / self.unit);
+        (a + t * (b + t * (c + t * d)), (b + t * (2.0 * c + t * 3.0 * d)) / self.unit)
+    }
+
     /// The values strictly within where the height has an extremum, and those where the slope has one.
     pub fn turns(&self) -> [Vec<f64>; 2] {
         let [constant, linear, square] = self.derivative();

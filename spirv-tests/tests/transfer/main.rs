@@ -3,7 +3,6 @@
 mod curve;
 mod fields;
 mod moments;
-mod narrow;
 
 use prefilter::{Error, HeightTransfer};
 

@@ -18,13 +18,22 @@ pub(crate) const SIZES: [usize; 3] = [128, COLUMNS, 512];
 /// Nodes along the deviation: they stand in `wgsl/filter/height.wgsl` too.
 const ROWS: usize = 32;
 
-/// The filter by the table, for any map.
-pub(crate) fn skewed(map: &ColorMap, colors: Colors, surface: Microsurface, columns: usize, ranges: Ranges) -> Filter {
+/// The filter by the table, for any map; it is not baked where its bound is sure to be above `most`.
+pub(crate) fn skewed(
+    map: &ColorMap,
+    colors: Colors,
+    surface: Microsurface,
+    columns: usize,
+    ranges: Ranges,
+    most: f32,
+) -> Filter {
+    let step = step_error(HeightTier::Skewed, surface, tier::rounded(HeightTier::Skewed, ranges)) * variation(map);
     let means = means(map, colors, surface, columns, ranges);
     let deviations = Axis { low: 0.0, high: ranges.deviation.into(), count: ROWS, spacing: Spacing::SquareRoot };
     let floor = tier::floor(HeightTier::Skewed, ranges);
     let judged = (means.low as f32, means.high as f32);
-    let table = Plan { map: &map.reference(), means, deviations, judged }.of_heights("table", floor.into());
+    let most = 0.5 * (most - step as f32);
+    let table = Plan { map: &map.reference(), means, deviations, judged }.of_heights("table", floor.into(), most);
     // Texel centers: the first node half a texel inside, the last as far from the other edge.
     let [per_mean, per_root] = [(means, means.high - means.low), (deviations, deviations.high.sqrt())]
         .map(|(axis, span)| (1.0 - 1.0 / axis.count as f64) / span);
@@ -37,8 +46,7 @@ pub(crate) fn skewed(map: &ColorMap, colors: Colors, surface: Microsurface, colu
         clamped(surface, ranges),
         swizzle(map)
     );
-    let step = step_error(HeightTier::Skewed, surface, tier::rounded(HeightTier::Skewed, ranges));
-    let bound = 2.0 * f64::from(table.error) + step * variation(map);
+    let bound = 2.0 * f64::from(table.error) + step;
     Filter { body, bound: Bound::Estimated(bound as f32), tables: vec![table], trips: 1 }
 }
 

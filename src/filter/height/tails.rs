@@ -32,7 +32,7 @@ pub(crate) fn tails(map: &ColorMap, colors: Colors, surface: Microsurface, range
         format!("    let tails = height_skewed({width}, visible.z);\n")
     };
     let (rounding, tables, trips) = if colors == Colors::Dynamic {
-        let texture = filter(map, colors, Tier::ClosedForm(Kernel::Exact), NODES, below)?;
+        let texture = filter(map, colors, Tier::ClosedForm(Kernel::Exact), NODES, below, f32::INFINITY)?;
         body += &format!("    return height_knots({mean}, tails, knots){};\n", swizzle(map));
         (variation(map) * RAMP + f64::from(texture.bound.value()), texture.tables, texture.trips)
     } else {
