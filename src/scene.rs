@@ -13,6 +13,7 @@ mod joint;
 mod layer;
 mod leaves;
 mod percentile;
+mod polynomial;
 mod sizes;
 mod slope;
 mod slope_map;

@@ -118,6 +118,7 @@ pub fn heights() -> Result<Vec<(&'static str, Scene)>> {
         ("height_default", Scene::new("lichen").height(lichen()?)),
         ("height_paper", Scene::new("lichen").height(lichen()?).height_tier(HeightTier::Paper)),
         ("height_gaussian", terrain()?.height_tier(HeightTier::Gaussian).tier(FAST)),
+        ("height_closed_form_fast", terrain()?.height_tier(HeightTier::ClosedFormFast)),
         ("height_closed_form", terrain()?.height_tier(HeightTier::ClosedForm)),
         ("height_table", terrain()?.height_tier(HeightTier::Gaussian).tier(Tier::Table)),
         ("height_skewed", terrain()?.height_tier(HeightTier::Skewed)),

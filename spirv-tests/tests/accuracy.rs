@@ -25,8 +25,8 @@ fn what_a_budget_chooses_keeps_it() -> Outcome {
     let whole = Tally::new(&trials.iter().collect::<Vec<_>>());
     println!("all: {whole:?}");
     assert!(whole.count == 200 && whole.exceeded == 0 && whole.median <= 10.0, "{whole:?}");
-    // 90 % are asked for; it is 160 of the 180 for which anything that filters is cheaper and keeps 0.3.
+    // Of those for which anything that filters is cheaper and keeps 0.3.
     let (cheaper, counted) = whole.cheaper.ok_or("nothing is cheaper than anything")?;
-    assert!(counted > 100 && 20 * cheaper >= 17 * counted, "{cheaper} of {counted} are cheaper than the finest tier");
+    assert!(counted > 100 && 10 * cheaper >= 9 * counted, "{cheaper} of {counted} are cheaper than the finest tier");
     Ok(())
 }

@@ -43,8 +43,8 @@ fn tier() -> impl Strategy<Value = (Option<Tier>, Colors)> {
 }
 
 fn height_tier() -> impl Strategy<Value = HeightTier> {
-    use HeightTier::{ClosedForm, Exact, Gaussian, Paper};
-    proptest::sample::select(vec![Paper, Gaussian, ClosedForm, Exact])
+    use HeightTier::{ClosedForm, ClosedFormFast, Exact, Gaussian, Paper};
+    proptest::sample::select(vec![Paper, Gaussian, ClosedFormFast, ClosedForm, Exact])
 }
 
 fn pixel() -> impl Strategy<Value = Pixel> {
@@ -106,7 +106,7 @@ fn scenes_return() -> Result<(), Box<dyn StdError + Send + Sync>> {
             let high =
                 Scene::new("extreme").height(map.clone()).colors(colors).height_tier(height).microsurface(surface);
             let shares = Scene::new("extreme").height_percentile(shares(&map)?).colors(colors).microsurface(surface);
-            let over = tier.filter(|_| !matches!(height, HeightTier::ClosedForm | HeightTier::Exact));
+            let over = tier.filter(|_| matches!(height, HeightTier::Paper | HeightTier::Gaussian));
             let high = over.map_or(high.clone().accuracy(accuracy), |tier| high.tier(tier));
             let scene = Scene::new("extreme").texture(map).colors(colors);
             let scene = tier.map_or(scene.clone().accuracy(accuracy), |tier| scene.tier(tier));

@@ -60,7 +60,11 @@ pub(crate) fn over(
     let moments = match tier {
         HeightTier::Paper if surface.perturbed => format!("vec3f(heights_moments_paper({lambda}), 0.0)"),
         HeightTier::Paper => format!("heights_moments_paper({lambda})"),
-        HeightTier::Gaussian | HeightTier::Skewed | HeightTier::ClosedForm | HeightTier::Exact => {
+        HeightTier::Gaussian
+        | HeightTier::Skewed
+        | HeightTier::ClosedFormFast
+        | HeightTier::ClosedForm
+        | HeightTier::Exact => {
             format!("heights_moments_fast({lambda})")
         }
     };

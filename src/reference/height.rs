@@ -3,7 +3,7 @@
 //! Heights have a mean and a deviation; the visible ones, in deviations from the mean, are distributed as D_h: equation
 //! 15 of Heitz et al. 2014, without the share that is visible.
 
-use super::heights::{cumulative, density, moments, range};
+use super::heights::{cumulative, density, range};
 use super::quadrature::integrate;
 use super::texture::PiecewiseLinear;
 
@@ -61,80 +61,4 @@ pub fn mean_by_parts(map: &PiecewiseLinear, mean: f64, deviation: f64, lambda: f
         }
     }
     sum
-}
-
-/// The spacing and the number of the deviations at which [`nearest_tails`] compares.
-const SPACING: f64 = 0.125;
-const COMPARED: usize = 32;
-
-/// Visible heights by the logarithms of their mean excess: the reciprocal of the given deviation, the mean excess over
-/// the mean, and for the thresholds above it, then below it, the four coefficients of the polynomial p of the distance
-/// x in deviations, from x on, for which peak · 2^−p(x) is nearest to the mean excess, or to what falls short, in the
-/// mean square.
-pub fn nearest_tails(deviation: f64, lambda: f64) -> [f64; 10] {
-    let [mean, own, ..] = moments(lambda);
-    tails(deviation, [mean, own], range(lambda), |height| cumulative(height, lambda))
-}
-
-/// The same of any distribution with a mean, a deviation and ends.
-pub(super) fn tails(
-    deviation: f64,
-    [mean, own]: [f64; 2],
-    [from, to]: [f64; 2],
-    cumulative: impl Fn(f64) -> f64,
-) -> [f64; 10] {
-    let at = |index: usize| own * SPACING * index as f64;
-    let area = |low: f64, high: f64, share: fn(f64) -> f64| {
-        let [area] = integrate(low, high, (to - from) / PANELS, |height| [share(cumulative(height))]);
-        area / own
-    };
-    let above = excesses(|index| {
-        area(mean + at(index), if index < COMPARED { mean + at(index + 1) } else { to }, |below| 1.0 - below)
-    });
-    let below = excesses(|index| {
-        area(if index < COMPARED { mean - at(index + 1) } else { from }, mean - at(index), |below| below)
-    });
-    let mut all = [0.0; 10];
-    all[0] = 1.0 / deviation;
-    all[1] = deviation * above[0];
-    all[2..6].copy_from_slice(&coefficients(&above));
-    all[6..].copy_from_slice(&coefficients(&below));
-    all
-}
-
-/// The sums of what lies from each compared deviation to the next, and behind the last.
-fn excesses(part: impl Fn(usize) -> f64) -> [f64; COMPARED + 1] {
-    let mut excess = [0.0; COMPARED + 1];
-    let mut sum = 0.0;
-    for index in (0..=COMPARED).rev() {
-        sum += part(index);
-        excess[index] = sum;
-    }
-    excess
-}
-
-/// The polynomial of degree 4 without a constant that is nearest to the bits that an excess loses from its first value
-/// on: by the normal equations, weighted so that the excess is what is compared.
-fn coefficients(excess: &[f64; COMPARED + 1]) -> [f64; 4] {
-    let mut rows = [[0.0; 5]; 4];
-    for (index, value) in excess.iter().enumerate().skip(1).filter(|(_, value)| **value > 0.0) {
-        let x = SPACING * index as f64;
-        let powers = [x, x * x, x.powi(3), x.powi(4), (excess[0] / value).log2()];
-        for (row, power) in rows.iter_mut().zip(powers) {
-            for (sum, other) in row.iter_mut().zip(powers) {
-                *sum += value * value * power * other;
-            }
-        }
-    }
-    for pivot in 0..4 {
-        let own = rows[pivot].map(|value| value / rows[pivot][pivot]);
-        for (number, row) in rows.iter_mut().enumerate() {
-            let factor = if number == pivot { 0.0 } else { row[pivot] };
-            for (value, pivot) in row.iter_mut().zip(own) {
-                *value -= factor * pivot;
-            }
-        }
-        rows[pivot] = own;
-    }
-    rows.map(|row| row[4])
 }

@@ -48,6 +48,7 @@ pub mod slope_nodes;
 pub mod slopes;
 pub mod smith;
 pub mod steepness;
+pub mod tails;
 pub mod taps;
 pub mod texture;
 pub mod transfer;

@@ -5,6 +5,7 @@ use super::height;
 use super::heights::{cumulative, density, moments, range};
 use super::normal::density as normal_density;
 use super::quadrature::integrate;
+use super::tails;
 use super::texture::{self, PiecewiseLinear};
 
 /// The mean of the map over the visible heights with normal noise of a mean and a deviation on them.
@@ -35,13 +36,13 @@ pub fn over_heights(map: &PiecewiseLinear, mean: f64, deviation: f64, lambda: f6
     })
 }
 
-/// [`height::nearest_tails`] of visible heights with noise of a deviation in those of all heights on them, where the
+/// [`tails::nearest_tails`] of visible heights with noise of a deviation in those of all heights on them, where the
 /// sum has the deviation given first.
 pub fn nearest_tails(deviation: f64, lambda: f64, noise_deviation: f64) -> [f64; 10] {
     let [mean, own, ..] = moments(lambda);
     let [from, to] = range(lambda);
     let reach = 8.0 * noise_deviation;
-    height::tails(deviation, [mean, own.hypot(noise_deviation)], [from - reach, to + reach], |at| {
+    tails::tails(deviation, [mean, own.hypot(noise_deviation)], [from - reach, to + reach], |at| {
         let [below] = integrate(-8.0, 8.0, 2.0, |z| [normal_density(z) * cumulative(at - noise_deviation * z, lambda)]);
         below
     })

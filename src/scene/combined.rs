@@ -7,6 +7,7 @@ use super::candidate::{cost, once_each, parameters, Over};
 use super::combination::{Combination, Expression};
 use super::layer::{listed, literal, mentions, once, shared, Layer, STATISTICS};
 use super::leaves::Leaves;
+use super::polynomial::largest_error;
 use super::Scene;
 use crate::accuracy::Bound;
 use crate::driver::slope_moments::area;
@@ -280,7 +281,7 @@ fn {name}_environment(m: normals_means{tables}) -> vec3f {{\n{}}}\n",
                 [f64::from(layer.chosen.filter.bound.value()), layer.hull[0], layer.hull[1]]
             })
         };
-        let value = expression.error(&of)[0] as f32;
+        let value = largest_error(expression, &of) as f32;
         let estimated = |layer: &Layer<'_>| matches!(layer.chosen.filter.bound, Bound::Estimated(_));
         if self.layers.iter().any(estimated) {
             Bound::Estimated(value)

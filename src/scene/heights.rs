@@ -5,7 +5,7 @@ use super::sizes::of_texels;
 use super::Scene;
 use crate::filter::height::glue::{given, Glue};
 use crate::filter::height::skewed::{skewed, COLUMNS, SIZES};
-use crate::filter::height::tails::tails;
+use crate::filter::height::tails::{short_tails, tails};
 use crate::filter::height::tier::texture_ranges;
 use crate::filter::height::{self, HeightTier};
 use crate::filter::texture::{color_type, filter, NODES};
@@ -66,7 +66,8 @@ impl Scene {
                 let constant = self.colors == Colors::Constant && !self.microsurface.perturbed;
                 let bands = (constant && height::banded(map)).then_some(HeightTier::Exact);
                 let table = self.accuracy.unwrap_or_default().tables.then_some(HeightTier::Skewed);
-                bands.into_iter().chain([HeightTier::ClosedForm]).chain(table).collect()
+                let short = (self.colors == Colors::Constant).then_some(HeightTier::ClosedFormFast);
+                bands.into_iter().chain(short).chain([HeightTier::ClosedForm]).chain(table).collect()
             }
         }
     }
@@ -81,6 +82,7 @@ impl Scene {
         let label = label + &of_texels([columns], [COLUMNS]);
         let filter = match tier {
             HeightTier::Skewed => skewed(map, self.colors, surface, columns, self.chosen_ranges(), worth),
+            HeightTier::ClosedFormFast => short_tails(map, self.colors, surface, self.chosen_ranges())?,
             HeightTier::ClosedForm => tails(map, self.colors, surface, self.chosen_ranges())?,
             _ => height::bands(map, self.colors, surface, self.chosen_ranges())?,
         };

@@ -5,10 +5,15 @@ use std::collections::BTreeMap;
 use super::candidate::Over;
 use super::combination::{Combination, Expression};
 use super::layer::Layer;
+use super::polynomial::largest_error;
 use super::Scene;
 use crate::filter::height::Microsurface;
 use crate::transfer::color_map::MAX_COLOR;
 use crate::{name, Error};
+
+/// How many times its even part a share may be, and how often the interval is halved to find it.
+const PARTS: (f64, f64) = (0.5, 4.0);
+const HALVINGS: usize = 16;
 
 /// The layers and weights of an expression, each once.
 pub(super) struct Leaves<'a> {
@@ -119,7 +124,7 @@ impl Scene {
                 let [low, high] = scene.hull().unwrap_or_default();
                 [own(scene), low, high]
             };
-            expression.error(&of)[0]
+            largest_error(expression, &of)
         };
         let known = |scene: &Scene| errors.get(&*scene.name).copied();
         let (least, used) = (whole(&|_| 0.0), whole(&|scene| known(scene).unwrap_or(0.0)));
@@ -127,11 +132,13 @@ impl Scene {
         // How many times a layer's own error the whole errs.
         let weight = |scene: &Scene| whole(&|other| f64::from(u8::from(other.name == scene.name))) - least;
         let share = |scene: &Scene, part: f64| part * (asked - used).max(0.0) / (count * weight(scene).max(1e-3));
-        // Errors of factors are multiplied, too, and colors are rounded.
+        // Errors of factors are multiplied, too, colors are rounded, and layers of a mixture do not err at once.
         let free = |scene: &Scene, part| if scene.accuracy.is_none() { share(scene, part) } else { 0.0 };
-        let mut part = 1.0;
-        while whole(&|scene| known(scene).unwrap_or_else(|| free(scene, part))) > asked && part > 0.5 {
-            part *= 0.98;
+        let kept = |part: f64| whole(&|scene| known(scene).unwrap_or_else(|| free(scene, part))) <= asked;
+        let (mut part, mut above) = PARTS;
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (part + above);
+            *(if kept(middle) { &mut part } else { &mut above }) = middle;
         }
         // An accuracy is a positive number.
         asking.iter().map(|scene| share(scene, part).clamp(1e-30, 1e30)).collect()

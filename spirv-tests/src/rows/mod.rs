@@ -48,6 +48,7 @@ mod slope_nodes;
 mod slopes;
 mod smith;
 mod steepness;
+mod tails;
 mod taps;
 mod texture;
 mod transfer;
@@ -218,6 +219,7 @@ pub fn all() -> Vec<Row> {
         slopes::rows(),
         smith::rows(),
         steepness::rows(),
+        tails::rows(),
         taps::rows(),
         texture::rows(),
         transfer::rows(),

@@ -72,7 +72,12 @@ fn layer(random: &mut Random, kind: Kind, channels: usize) -> Result<Layer, Faul
         }
         Kind::Heights if banded => Scene::new("high").height(of).height_tier(HeightTier::Exact),
         Kind::Heights => {
-            let tier = random.pick([HeightTier::Gaussian, HeightTier::ClosedForm, HeightTier::Skewed]);
+            let tier = random.pick([
+                HeightTier::Gaussian,
+                HeightTier::ClosedFormFast,
+                HeightTier::ClosedForm,
+                HeightTier::Skewed,
+            ]);
             Scene::new("high").height(of).height_tier(tier)
         }
         Kind::Percentiles => Scene::new("share").height_percentile(of),

@@ -46,6 +46,7 @@ fn any_map_keeps_its_bound_over_any_ranges() -> Outcome {
         let closed = scene(HeightTier::ClosedForm);
         let mut scenes = vec![
             ("Gaussian", scene(HeightTier::Gaussian).tier(EXACT)),
+            ("fast closed form", scene(HeightTier::ClosedFormFast)),
             ("closed form", closed.clone()),
             ("closed form, dynamic", closed.colors(Colors::Dynamic)),
             ("table", scene(HeightTier::Skewed)),

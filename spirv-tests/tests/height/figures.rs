@@ -43,8 +43,8 @@ fn steps(tier: HeightTier) -> Result<(Scene, Vec<Call>), Fault> {
     let step = ColorMap::bands([0.0; 3], [(0.0, [1.0; 3])])?;
     let ranges = Ranges { mean: (-6.0, 3.0), deviation: 1.0 };
     let scene = Scene::new("edge").height(step.clone()).height_tier(tier).ranges(ranges);
-    let alone = matches!(tier, HeightTier::ClosedForm | HeightTier::Exact);
-    let scene = if alone { scene } else { scene.tier(EXACT) };
+    let over = matches!(tier, HeightTier::Paper | HeightTier::Gaussian);
+    let scene = if over { scene.tier(EXACT) } else { scene };
     let mut random = Random::new(9);
     // Dense where the largest errors are: over all heights for a Λ at either end and between.
     let mut calls = calls(&mut random, &step, ranges, 1e-2, 20_000);
@@ -112,6 +112,7 @@ fn worst_steps_keep_the_figures_of_their_tiers() -> Outcome {
     for (tier, near, far) in [
         (HeightTier::Paper, 9.2e-2, 0.484),
         (HeightTier::Gaussian, 4.3e-2, 5.75e-2),
+        (HeightTier::ClosedFormFast, 1.55e-3, 1.65e-3),
         (HeightTier::ClosedForm, 2.6e-4, 3.3e-4),
         (HeightTier::Exact, 2e-6, 2e-6),
     ] {
@@ -119,7 +120,7 @@ fn worst_steps_keep_the_figures_of_their_tiers() -> Outcome {
         println!("{tier}: a step errs by {:.3e} for lambda up to 100, {:.3e} up to 1e4", found[0], found[1]);
         assert!(found[0] <= near && found[1] <= far, "{tier}: {found:?}");
         // Rounding may be less on other devices.
-        let slack = if tier == HeightTier::Exact { 4.0 } else { 1.03 };
+        let slack = if tier == HeightTier::Exact { 4.0 } else { 1.04 };
         assert!(found[1] * slack >= far, "{tier}: {found:?}, {far} is too wide");
     }
     Ok(())
@@ -191,7 +192,8 @@ fn random_maps_keep_their_bounds() -> Outcome {
         }
         for colors in [Colors::Constant, Colors::Dynamic] {
             let scene = Scene::new("judged").height(map.clone()).ranges(ranges).colors(colors);
-            for tier in [HeightTier::Skewed, HeightTier::ClosedForm] {
+            let fast = (colors == Colors::Constant).then_some(HeightTier::ClosedFormFast);
+            for tier in [HeightTier::Skewed, HeightTier::ClosedForm].into_iter().chain(fast) {
                 let scene = scene.clone().height_tier(tier);
                 let (bound, found) = (scene.module()?.bound(), error(&device, &scene, &calls)?);
                 let judged = f64::from(bound.value());

@@ -2,13 +2,13 @@
 
 use std::f64::consts::{LN_10, LN_2, PI};
 
-use prefilter::reference::height::nearest_tails;
 use prefilter::reference::heights::{
     cumulative, density, lambda_of_skewness, mean, moments, moments_by_parts, perturbed_cumulative, range, sum_moments,
 };
 use prefilter::reference::normal::{cumulative as normal_cumulative, density as normal_density, surprisal};
 use prefilter::reference::perturbed;
 use prefilter::reference::quadrature::integrate;
+use prefilter::reference::tails::{nearest_short_tails, nearest_tails};
 
 /// Λ with mean, deviation, skewness and excess kurtosis of the visible heights.
 ///
@@ -184,7 +184,10 @@ fn the_nearest_tails_have_the_peak_and_no_nearer_neighbor() {
             excess / own
         };
         assert!((tails[0] - 0.4).abs() < 1e-15 && (tails[1] / 2.5 - excess(0.0)).abs() < 1e-12, "{lambda}: {tails:?}");
-        for (sign, own) in [(1.0, &tails[2..6]), (-1.0, &tails[6..])] {
+        let short = nearest_short_tails(2.5, lambda);
+        assert!(short[..2] == tails[..2], "{lambda}: {short:?} {tails:?}");
+        let sides = [(1.0, &tails[2..6]), (-1.0, &tails[6..]), (1.0, &short[2..5]), (-1.0, &short[5..])];
+        for (sign, own) in sides {
             let compared: Vec<(f64, f64)> =
                 (1..=32).map(|at| 0.125 * f64::from(at)).map(|x| (x, excess(sign * x))).collect();
             let distance = |c: &[f64]| {
@@ -192,11 +195,12 @@ fn the_nearest_tails_have_the_peak_and_no_nearer_neighbor() {
                     // Below the mean what falls short of the threshold is the excess less the distance.
                     let excess = if sign < 0.0 { excess - x } else { excess };
                     let bits = (tails[1] / 2.5 / excess).log2();
-                    (excess * (bits - x * (c[0] + x * (c[1] + x * (c[2] + x * c[3]))))).powi(2)
+                    let polynomial = c.iter().rev().fold(0.0, |sum, coefficient| x * (coefficient + sum));
+                    (excess * (bits - polynomial)).powi(2)
                 });
                 terms.filter(|term| term.is_finite()).sum::<f64>()
             };
-            for at in 0..4 {
+            for at in 0..own.len() {
                 for step in [1e-3, -1e-3] {
                     let mut near = own.to_vec();
                     near[at] += step;

@@ -54,6 +54,37 @@ fn steps_keep_their_figures() -> Outcome {
     Ok(())
 }
 
+/// The probability by the shorter tails, which noise does not move.
+const SHORT: &str = "
+fn below(height: f32, lambda: f32, noise_deviation: f32) -> f32 {
+    let visible = heights_perturbed(heights_moments(lambda), 0.0, 1.0, 0.0, noise_deviation);
+    return 1.0 - tails_step(visible.x - height, tails_skewed(visible.y, visible.z));
+}";
+
+#[test]
+fn steps_of_shorter_tails_keep_their_figures() -> Outcome {
+    let noisy = [0.02, 0.05, 0.1, 0.107, 0.14, 0.2, 0.3, 0.5, 1.0].as_slice();
+    for (noises, figure) in [([0.0].as_slice(), 1.65e-3), (noisy, 5.2e-3)] {
+        let mut points = Vec::new();
+        for lambda in lambdas(1e-3, 1e4, 121) {
+            let [mean, deviation, ..] = moments(lambda);
+            for noise in noises {
+                let wide = deviation.hypot(*noise);
+                points.extend((-60..=60).map(|index| f32s([mean + 0.1 * f64::from(index) * wide, lambda, *noise])));
+            }
+        }
+        let truth = |point: &[f64]| match point[2] {
+            0.0 => cumulative(point[0], point[1]),
+            noise => perturbed_cumulative(point[0], point[1], noise),
+        };
+        let errors = points.iter().zip(run(SHORT, "below", &points)?).map(|(point, got)| (got[0] - truth(point)).abs());
+        let worst = errors.fold(0.0, worse);
+        println!("shorter tails, noise of {noises:?}: a step is off by {worst:.2e}");
+        assert!(worst <= figure && 1.03 * worst >= figure, "{worst}");
+    }
+    Ok(())
+}
+
 /// Tails of the moments of heights with noise.
 const PERTURBED: &str = "
 fn below(height: f32, lambda: f32, noise_deviation: f32) -> f32 {

@@ -104,6 +104,10 @@ const NOISE: f64 = 4.3e-3;
 /// `steps_keep_their_figures_with_noise` in `spirv-tests/tests/heights/steps.rs` measures for Λ up to 1e4.
 const MOVED: f64 = 5.5e-4;
 
+/// The same of shorter tails, which are not moved: with noise they err by up to 5.2e-3, as
+/// `steps_of_shorter_tails_keep_their_figures` in the same file measures.
+const UNMOVED: f64 = 3.55e-3;
+
 /// The smallest ω.z − s̄·ω.xy that bounds over tilted surfaces hold from.
 pub(crate) const RISE: f64 = 0.01;
 
@@ -116,6 +120,7 @@ pub(crate) fn step_error(tier: HeightTier, surface: Microsurface, rounded: f64) 
     let perturbed = match (surface.perturbed, tier) {
         (false, _) => 0.0,
         (true, HeightTier::Skewed) => NOISE + rounded,
+        (true, HeightTier::ClosedFormFast) => UNMOVED + rounded,
         (true, HeightTier::ClosedForm) => MOVED + rounded,
         (true, _) => rounded,
     };

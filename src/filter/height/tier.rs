@@ -18,6 +18,10 @@ pub enum HeightTier {
     /// texels, which grows where the heights' deviation is less than some hundredths of the range of means. One fetch,
     /// for any map.
     Skewed,
+    /// Two shorter tails with the mean, the deviation and the skewness of D_h, a term a knot of the color map: 1.55e-3
+    /// for Λ up to 100, 1.65e-3 up to 1e4; with noise on the heights 5.2e-3. Needs no table and constant colors. From
+    /// some three knots on it costs less than the normal distribution over a closed form.
+    ClosedFormFast,
     /// Two tails with the mean, the deviation and the skewness of D_h, a term a knot of the color map: 2.6e-4 for Λ up
     /// to 100, 3.3e-4 up to 1e4; with noise on the heights 6.8e-4 and 8.7e-4. Needs no table.
     ClosedForm,
@@ -30,7 +34,7 @@ impl HeightTier {
     pub(crate) fn stands_alone(self) -> bool {
         match self {
             Self::Paper | Self::Gaussian => false,
-            Self::Skewed | Self::ClosedForm | Self::Exact => true,
+            Self::Skewed | Self::ClosedFormFast | Self::ClosedForm | Self::Exact => true,
         }
     }
 }
@@ -41,6 +45,7 @@ impl std::fmt::Display for HeightTier {
             Self::Paper => "the paper's fits",
             Self::Gaussian => "one normal distribution",
             Self::Skewed => "a table over skewness",
+            Self::ClosedFormFast => "skewed heights in closed form with the fast kernel",
             Self::ClosedForm => "skewed heights in closed form",
             Self::Exact => "bands in closed form",
         })
@@ -49,9 +54,10 @@ impl std::fmt::Display for HeightTier {
 
 /// Step errors for Λ up to 1e4, as `worst_steps_keep_the_figures_of_their_tiers` in
 /// `spirv-tests/tests/height/figures.rs` measures them on the device; it fails where they are exceeded, and where they
-/// are more than 3% too wide.
+/// are more than 4% too wide.
 const PAPER: f64 = 0.484;
 pub(crate) const GAUSSIAN: f64 = 5.75e-2;
+const CLOSED_FORM_FAST: f64 = 1.65e-3;
 const CLOSED_FORM: f64 = 3.3e-4;
 
 /// The same of a normal distribution by the distance of the step from the mean visible height, in deviations of the
@@ -121,6 +127,7 @@ pub(crate) fn step_error(tier: HeightTier) -> f64 {
     match tier {
         HeightTier::Paper => PAPER + LAMBDA,
         HeightTier::Gaussian => GAUSSIAN + LAMBDA,
+        HeightTier::ClosedFormFast => CLOSED_FORM_FAST + LAMBDA,
         HeightTier::ClosedForm => CLOSED_FORM + LAMBDA,
         HeightTier::Skewed => SKEWED + LAMBDA,
         HeightTier::Exact => EXACT,

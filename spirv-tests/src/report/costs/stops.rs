@@ -35,7 +35,8 @@ const VALUES: [Method; 6] = [
     ("the paper's table", |map| values(map).tier(Tier::Paper)),
 ];
 
-const HEIGHTS: [Method; 5] = [
+const HEIGHTS: [Method; 6] = [
+    ("closed form, fast", |map| heights(map).height_tier(HeightTier::ClosedFormFast)),
     ("closed form", |map| heights(map).height_tier(HeightTier::ClosedForm)),
     ("table over skewness", |map| heights(map).height_tier(HeightTier::Skewed)),
     ("one Gaussian, fast", |map| heights(map).height_tier(HeightTier::Gaussian).tier(FAST)),

@@ -62,7 +62,7 @@ fn case(name: &str) -> Result<Case, Error> {
         rows.push(Row::of(Role::Tier, format!("{} over {tier}", HeightTier::Gaussian), module));
     }
     let bands = map.edges().map(|_| HeightTier::Exact);
-    for tier in [HeightTier::Skewed, HeightTier::ClosedForm].into_iter().chain(bands) {
+    for tier in [HeightTier::Skewed, HeightTier::ClosedFormFast, HeightTier::ClosedForm].into_iter().chain(bands) {
         rows.push(Row::of(Role::Tier, tier, scene().height_tier(tier).module()?));
     }
     let color = "let color = plain_texture(mean + deviation * height, 0.0);";
