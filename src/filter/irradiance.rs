@@ -16,8 +16,8 @@ use crate::transfer::pieces::ROUNDING;
 
 /// How the normals that a view sees are averaged: a ladder from the cheapest to the closest.
 ///
-/// Errors are the largest ones of irradiance over its mean over all normals, for slope deviations up to 1 and views
-/// from 5 degrees above the mean plane, as `irradiance_keeps_the_figures_of_its_tiers` in
+/// Errors are the largest ones of irradiance over its mean over all normals, for slope deviations up to 1 along any
+/// axis and views from 5 degrees above the mean surface, as `irradiance_keeps_the_figures_of_its_tiers` in
 /// `spirv-tests/tests/irradiance.rs` measures them on the device.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -162,8 +162,8 @@ pub(crate) fn covered(tier: IrradianceTier) -> String {
         IrradianceTier::ThreeGaussians | IrradianceTier::FourGaussians => "1",
     };
     format!(
-        "slope deviations to {deviations}, correlations to 0.9, mean slopes to 0.3 on each axis, views from 5 \
-         degrees above the mean plane"
+        "slope deviations to {deviations} along any axis, correlations to 0.9, mean slopes to 0.3 on each axis, views \
+         from 5 degrees above the mean surface"
     )
 }
 

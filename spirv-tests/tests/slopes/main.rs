@@ -4,6 +4,7 @@
 mod device;
 mod extremes;
 mod gap;
+mod normals;
 mod references;
 mod ridges;
 mod standard;
