@@ -18,6 +18,7 @@ use crate::filter::height::{self, surface, tier, HeightTier};
 use crate::filter::height_transfer::TransferTier;
 use crate::filter::slope::SlopeTier;
 use crate::filter::{irradiance, slope, steepness};
+use crate::table::transferred::COVERED;
 use crate::table::Table;
 use crate::transfer::color_map::ColorMap;
 
@@ -117,7 +118,11 @@ impl Scene {
         let mut text = format!("{}: heights h = g(f) by {tier}\n  error   {bound}\n", self.name);
         if let Some(nodes) = nodes {
             let step = nodes.table.error;
-            let hidden = if self.height.is_some() { ", Λ of view and light that add up to 1e3 at most" } else { "" };
+            let hidden = if self.height.is_some() {
+                format!(", Λ of view and light that add up to {COVERED:e} at most")
+            } else {
+                String::new()
+            };
             let _ = writeln!(
                 text,
                 "  covers  f of means {low} to {high} and deviations from {narrow:.1e} to {deviation}{hidden}"

@@ -1,6 +1,7 @@
 //! Textures that a module reads: their texels, formats and measured errors.
 
 pub(crate) mod bake;
+mod balanced;
 pub mod grid;
 mod hiding;
 mod lattice;

@@ -1,5 +1,6 @@
 //! Tables of a map's means over the visible heights h = g(f) of a curve g, by mean and deviation of f.
 
+use super::balanced::balanced;
 use super::grid::{Axis, Spacing};
 use super::hiding::Hiding;
 use super::lattice::{half_rounded, rows, Lattice};
@@ -27,17 +28,24 @@ pub(crate) struct Plan<'a> {
 /// The slices: log₂(1 + Λ) of the sum of Smith's Λ of view and light.
 pub(crate) const HIDING: Axis = Axis { low: 0.0, high: 10.0, count: 16, spacing: Spacing::Linear };
 
+/// The largest such sum for which the error is measured, and the slices up to there. Beyond, rows err: what is visible
+/// is narrower than it moves between two of them.
+pub(crate) const COVERED: f64 = 100.0;
+const SLICES: usize = 11;
+
 impl Plan<'_> {
-    /// The table, with its error as measured between texels for deviations from `floor` on.
+    /// The table, with its error as measured between texels for deviations from `floor` on and Λ up to [`COVERED`].
     pub(crate) fn table(&self, name: &str, floor: f64) -> Table {
         let lattice = Lattice([self.means, self.deviations, HIDING]);
         let bends = self.bends();
         let layers = Layers::new(self.map, self.curve, &bends);
         let hiding = Hiding::new([1.0, 2.0, 3.0].map(lambda), HIDING.count);
+        let hull = self.hull();
         let line = |row: usize| {
             let deviation = self.deviations.value(row as f64);
             let colors = |column: usize| layers.colors(self.means.value(column as f64), deviation, &hiding);
-            let columns: Vec<Vec<[f64; 4]>> = (0..self.means.count).map(colors).collect();
+            let columns: Vec<Vec<[f64; 4]>> =
+                (0..self.means.count).map(colors).map(|slices| balanced(&slices, hull)).collect();
             let slices = (0..HIDING.count).flat_map(|slice| columns.iter().map(move |column| column[slice]));
             slices.flat_map(|color| color.map(half_rounded)).collect()
         };
@@ -49,15 +57,13 @@ impl Plan<'_> {
         lattice.table(name, texels, error)
     }
 
-    /// The largest difference between a filtered read and the color: on the first slice and between slices, on the
-    /// first and the last row, between rows and on the least, over the centers of every other cell of columns, those
-    /// between them on the next line, and where the color bends. Of each line the reference has the last word where the
-    /// difference is largest.
+    /// The largest difference between a filtered read and the color: on the first slice and by turns between slices and
+    /// on them, on the first and the last row, between rows and on the least, over the centers of every other cell of
+    /// columns, those between them on the next line, and where the color bends. Of each line the reference has the last
+    /// word where the difference is largest.
     fn error(&self, lattice: Lattice, layers: &Layers<'_>, bends: &[f64], texels: &[f32], floor: f64) -> f32 {
         let Lattice([columns, deviations, _]) = lattice;
-        let between = (0..HIDING.count - 1).map(|slice| slice as f64 + 0.5);
-        let thirds: Vec<f64> = [0.0].into_iter().chain(between).map(|slice| HIDING.value(slice)).collect();
-        let hiding = Hiding::new([0.5, 1.5, 2.5].map(lambda), HIDING.count);
+        let judged = [0.5, 0.0].map(|before| Hiding::new([1.0, 2.0, 3.0].map(|slice| lambda(slice - before)), SLICES));
         // Of many bends some stand for all: each costs as much as a column.
         let within = bends.iter().copied().filter(|at| (columns.low..=columns.high).contains(at));
         let some: Vec<f64> = within.step_by(bends.len().div_ceil(JUDGED[0]).max(1)).collect();
@@ -66,20 +72,23 @@ impl Plan<'_> {
         let lines: Vec<f64> = middles.chain(ends).filter(|&line| line >= floor).collect();
         let worst = |line: usize| {
             let deviation = lines[line];
-            let apart = |mean: f64, third: f64, color: [f64; 4]| {
+            // Judged on other columns by the next line but one.
+            let hiding = &judged[line / 2 % 2];
+            let apart = |mean: f64, slice: usize, color: [f64; 4]| {
+                let third = (1.0 + hiding.lambdas()[slice]).log2();
                 let read = lattice.filtered(texels, [mean, deviation, third]);
                 read.iter().zip(color).map(|(read, truth)| (read - truth).abs()).fold(0.0, f64::max)
             };
             let centers = (line % JUDGED[1]..columns.count - 1).step_by(JUDGED[1]);
             let places = centers.map(|cell| columns.value(cell as f64 + 0.5)).chain(some.iter().copied());
             let errors = places.flat_map(|mean| {
-                let colors = layers.colors(mean, deviation, &hiding).into_iter().enumerate();
+                let colors = layers.colors(mean, deviation, hiding).into_iter().enumerate();
                 colors.map(move |(slice, color)| (mean, slice, color)).collect::<Vec<_>>()
             });
-            let errors = errors.map(|(mean, slice, color)| (apart(mean, thirds[slice], color), mean, slice));
+            let errors = errors.map(|(mean, slice, color)| (apart(mean, slice, color), mean, slice));
             let (_, mean, slice) =
                 errors.fold((0.0, columns.low, 0), |one, next| if next.0 > one.0 { next } else { one });
-            vec![apart(mean, thirds[slice], self.truth(bends, mean, deviation, hiding.lambdas()[slice])) as f32]
+            vec![apart(mean, slice, self.truth(bends, mean, deviation, hiding.lambdas()[slice])) as f32]
         };
         rows(lines.len(), worst).into_iter().fold(0.0, f32::max)
     }
@@ -93,6 +102,15 @@ impl Plan<'_> {
             (0..4).map(|c| (before[c] - 2.0 * here[c] + after[c]).abs() / near).fold(0.0, f64::max)
         };
         bends(map, curve, range).into_iter().map(|at| (at, change(at))).collect()
+    }
+
+    /// The least and the largest color in every channel.
+    fn hull(&self) -> [[f64; 4]; 2] {
+        let ends = || self.map.knots.iter().flat_map(|knot| [knot.1, knot.2]);
+        let most = |of: fn(f64, f64) -> f64, from: f64| {
+            ends().fold([from; 4], |sum, color| std::array::from_fn(|channel| of(sum[channel], color[channel])))
+        };
+        [most(f64::min, f64::INFINITY), most(f64::max, f64::NEG_INFINITY)]
     }
 
     /// Where it bends for the values that occur.

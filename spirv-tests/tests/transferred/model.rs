@@ -83,14 +83,16 @@ fn worst(
     let export = &module.exports()[0];
     let points: Vec<f32> = pixels.iter().flat_map(|pixel| pixel.numbers(&export.parameters())).collect();
     let found = ExportKernel::new(device, module, export)?.run(&points)?;
-    let mut worst = 0.0;
+    let (mut worst, mut squares) = (0.0, 0.0);
     for (pixel, found) in pixels.iter().zip(found) {
         for (truth, found) in truth(pixel).into_iter().zip(found) {
             let apart = (truth - f64::from(found)).abs();
+            squares += apart * apart;
             // Written so that NaN is the worst.
             worst = if apart <= worst { worst } else { apart };
         }
     }
+    println!("RMS {:.1e}", (squares / (3 * pixels.len()) as f64).sqrt());
     Ok(worst)
 }
 

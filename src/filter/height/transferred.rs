@@ -61,7 +61,7 @@ pub(crate) fn transferred(
     let most = f64::from(ranges.deviation);
     let deviations = Axis { low: 0.0, high: most, count: DEVIATIONS, spacing: Spacing::CubeRoot };
     let narrow = (NARROW * (means.high - means.low) / (MEANS - 1) as f64).min(0.25 * most);
-    let table = Plan { map: &reference, curve, means, deviations }.table("table", narrow);
+    let table = Plan { map: &reference, curve, means, deviations }.table("table", 2.0 * narrow);
     let (lowest, highest) = curve.range(low - 2.0 * most, high + 2.0 * most);
     let near = tails(map, colors, surface, around(Ranges::of(map), lowest as f32, highest as f32))?;
     // A level stretch that lies on a hard edge counts as above it, as in the table.

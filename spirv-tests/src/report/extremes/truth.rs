@@ -153,7 +153,7 @@ impl Subject {
                 let Ranges { mean: (low, high), deviation: most } = Ranges::of_transfer(&self.curve);
                 let ranged = (f64::from(low)..=f64::from(high)).contains(&point.mean);
                 let deviations = f64::from(high - low) / 63.0..=f64::from(most);
-                ranged && deviations.contains(&point.deviation) && point.lambdas() <= 1e3
+                ranged && deviations.contains(&point.deviation) && point.lambdas() <= 1e2
             }
             Filter::Combination => self.layers.iter().all(|layer| layer.promises(point)),
             // No module promises an error of its shares.
