@@ -250,7 +250,7 @@ impl Scene {
     /// In a release build closed forms of some dozen knots take well below 5 ms; beyond some hundred constant knots
     /// naga's time grows with their square. Tables, which are tried unless the scene names a tier or the accuracy
     /// forbids them, take one core some 3 ms to bake of values and 10 ms of heights for a dozen knots, 15 ms of
-    /// steepness, 60 ms of maps of the whole slope, 100 ms of heights by a curve, and seconds for a thousand knots.
+    /// steepness, 20 ms of maps of the whole slope, 100 ms of heights by a curve, and seconds for a thousand knots.
     ///
     /// # Errors
     /// A name that cannot be used, a scene that filters nothing or more than one thing, a setting that has no meaning

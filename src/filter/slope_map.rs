@@ -18,11 +18,11 @@ use crate::transfer::slope_map::{SlopeDomain, SlopeMap};
 /// Of a normal distribution itself, a step, a disc or a sector errs by up to this much. Over a flat mesh with a map of
 /// normals that is all, by [`SlopeTier::Unweighted`]:
 ///
-/// | deviations of the axes | one read | three | five | nine |
-/// |---|---|---|---|---|
-/// | 1:1 | 0 | 0 | 0 | 0 |
-/// | 2:1 | 0.102 | 0.017 | 0.0016 | 0.0001 |
-/// | 4:1 | 0.20 | 0.077 | 0.026 | 0.0019 |
+/// | deviations of the axes | one read | three | five | seven | nine |
+/// |---|---|---|---|---|---|
+/// | 1:1 | 0 | 0 | 0 | 0 | 0 |
+/// | 2:1 | 0.102 | 0.017 | 0.0016 | 0.0004 | 0.0001 |
+/// | 4:1 | 0.20 | 0.077 | 0.026 | 0.0066 | 0.0019 |
 ///
 /// Seen from the horizon of the mean surface, the normal distribution of visible slopes is up to 1.5 times longer
 /// across the view than that of all slopes, and the longer one of two up to 2.6 times.
@@ -35,6 +35,9 @@ pub enum SlopeTaps {
     Three,
     /// Five, up to 6.2 times.
     Five,
+    /// Seven, up to 8.3 times; of two normal distributions for the longer one, and five for the other. As close as nine
+    /// each where slopes vary up to twice as much along an axis as across.
+    Seven,
     /// Nine, up to 11 times: as long as what is seen from the horizon of slopes that vary four times as much across
     /// the view as along it.
     Nine,
@@ -46,6 +49,7 @@ impl std::fmt::Display for SlopeTaps {
             Self::One => "one read",
             Self::Three => "three reads",
             Self::Five => "five reads",
+            Self::Seven => "up to seven reads",
             Self::Nine => "nine reads",
         })
     }
@@ -119,19 +123,35 @@ impl Atlas {
         let layout = [per_slope, 1.0 / unit, BEND / deviation, per_octave].map(|value| number(value as f32)).join(", ");
         Self { baked, layout, ranges }
     }
+
+    /// The table with the error that a tier's reads have of it.
+    pub(crate) fn table(&self, tier: SlopeTier) -> Table {
+        Table { error: self.error(tier), ..self.baked.table.clone() }
+    }
+
+    /// The same, without a copy.
+    pub(crate) fn take(&mut self, tier: SlopeTier) -> Table {
+        let levels = std::mem::take(&mut self.baked.table.levels);
+        Table { error: self.error(tier), levels, ..self.baked.table.clone() }
+    }
+
+    fn error(&self, tier: SlopeTier) -> f32 {
+        self.baked.error(narrow(tier) * floor(self.ranges))
+    }
 }
 
 /// The largest error of a step, of a disc about the slope 0 and of a quarter of all directions, for views above the
-/// horizon of the mean surface whose slopes' covariance has axes of ratios up to 2; of one, three, five and nine reads.
+/// horizon of the mean surface whose slopes' covariance has axes of ratios up to 2; of one, three, five, seven and nine
+/// reads.
 /// `shapes_keep_the_figures_of_their_tiers` in `spirv-tests/tests/slope_map/figures.rs` measures them on the device.
-const UNWEIGHTED: [f64; 4] = [0.643, 0.587, 0.579, 0.577];
-const GAUSSIAN: [f64; 4] = [0.163, 4.75e-2, 4.7e-2, 4.7e-2];
-const PAIR: [f64; 4] = [0.177, 6.15e-2, 2.35e-2, 1.18e-2];
+const UNWEIGHTED: [f64; 5] = [0.643, 0.587, 0.579, 0.577, 0.577];
+const GAUSSIAN: [f64; 5] = [0.163, 4.75e-2, 4.7e-2, 4.7e-2, 4.7e-2];
+const PAIR: [f64; 5] = [0.177, 6.15e-2, 2.35e-2, 1.21e-2, 1.18e-2];
 
 /// The largest error of a map with one edge from 0 to 1.
 pub(crate) fn edge_error(tier: SlopeTier, taps: SlopeTaps) -> f64 {
     let errors = match tier {
-        SlopeTier::Naive => [1.0; 4],
+        SlopeTier::Naive => [1.0; 5],
         SlopeTier::Unweighted => UNWEIGHTED,
         SlopeTier::Gaussian => GAUSSIAN,
         SlopeTier::Pair => PAIR,
@@ -139,39 +159,59 @@ pub(crate) fn edge_error(tier: SlopeTier, taps: SlopeTaps) -> f64 {
     errors[taps as usize]
 }
 
-/// The filter of a tier.
-pub(crate) fn over(atlas: &Atlas, map: &SlopeMap, tier: SlopeTier, taps: SlopeTaps) -> Filter {
-    let function = match taps {
+/// The shelf's function of so many reads.
+fn function(taps: SlopeTaps) -> &'static str {
+    match taps {
         SlopeTaps::One => "slope_map_one",
         SlopeTaps::Three => "slope_map_three",
         SlopeTaps::Five => "slope_map_five",
+        SlopeTaps::Seven => "slope_map_seven",
         SlopeTaps::Nine => "slope_map_nine",
-    };
+    }
+}
+
+/// The reads of the shorter of two distributions.
+fn fewer(taps: SlopeTaps) -> SlopeTaps {
+    match taps {
+        SlopeTaps::Seven => SlopeTaps::Five,
+        same => same,
+    }
+}
+
+/// The body of a tier.
+pub(crate) fn body(atlas: &Atlas, map: &SlopeMap, tier: SlopeTier, taps: SlopeTaps) -> String {
     let layout = &atlas.layout;
-    let read =
-        |mean: &str, covariance: &str| format!("{function}({mean}, {covariance}, {layout}, table, table_sampler)");
-    let part = |mean: &str, variance: &str| {
-        read(&format!("mean_slope + {mean} * factor.xy"), &format!("slopes_covariance(factor, {variance})"))
+    let read = |taps: SlopeTaps, mean: &str, covariance: &str| {
+        format!("{}({mean}, {covariance}, {layout}, table, table_sampler)", function(taps))
+    };
+    let part = |taps: SlopeTaps, mean: &str, variance: &str| {
+        read(taps, &format!("mean_slope + {mean} * factor.xy"), &format!("slopes_covariance(factor, {variance})"))
     };
     let channels = if map.channels() == 3 { ".rgb" } else { "" };
-    let body = match tier {
+    let ordered = fewer(taps) != taps;
+    let both = if ordered { "longer" } else { "pair" };
+    match tier {
         SlopeTier::Naive => {
             format!("    return slope_map_read(mean_slope, 0.0, {layout}, table, table_sampler){channels};\n")
         }
-        SlopeTier::Unweighted => format!("    return {}{channels};\n", read("mean_slope", "slope_covariance")),
-        SlopeTier::Gaussian => format!("    return {}{channels};\n", part("moments.x", "moments.y")),
+        SlopeTier::Unweighted => format!("    return {}{channels};\n", read(taps, "mean_slope", "slope_covariance")),
+        SlopeTier::Gaussian => format!("    return {}{channels};\n", part(taps, "moments.x", "moments.y")),
         SlopeTier::Pair => format!(
-            "    var c = {};
+            "{}    var c = {};
     if parameter < slopes_single {{
         c = 0.5 * (c + {});
     }}
     return c{channels};
 ",
-            part("pair.x", "pair.y"),
-            part("pair.z", "pair.w")
+            if ordered { "    let longer = rounds_longer_first(factor, pair);\n" } else { "" },
+            part(taps, &format!("{both}.x"), &format!("{both}.y")),
+            part(fewer(taps), &format!("{both}.z"), &format!("{both}.w"))
         ),
-    };
-    let table = Table { error: atlas.baked.error(narrow(tier) * floor(atlas.ranges)), ..atlas.baked.table.clone() };
+    }
+}
+
+/// The filter of a tier with a body.
+pub(crate) fn over(body: String, table: Table, map: &SlopeMap, tier: SlopeTier, taps: SlopeTaps) -> Filter {
     let bound = 2.0 * (f64::from(table.error) + edge_error(tier, taps) * map.widest_span());
     Filter { body, bound: Bound::Estimated(bound as f32), tables: vec![table], trips: 1 }
 }

@@ -31,7 +31,7 @@ const LOOPS: [&str; 3] = ["texture_knots", "height_knots", "percentile_knots"];
 const NODES: [&str; 2] = ["lit", "radiance"];
 
 /// The shelf's loops over the two sides of a mean slope.
-const SIDES: [&str; 3] = ["rice_five", "slope_map_five", "slope_map_nine"];
+const SIDES: [&str; 4] = ["rice_five", "slope_map_five", "slope_map_seven", "slope_map_nine"];
 
 /// The shelf's loops over the waves and the corners of patterns, footprints narrower than 0.03 periods take more waves,
 /// and over the edges of a cell in space.

@@ -4,24 +4,27 @@ use super::candidate::{parameters, Candidate, Over, Text};
 use super::sizes::of_texels;
 use super::Scene;
 use crate::filter::slope::SlopeTier;
-use crate::filter::slope_map::{edge_error, floor, given, glue, over, Atlas, SlopeTaps, NODES, SIZES};
+use crate::filter::slope_map::{body, edge_error, floor, given, glue, over, Atlas, SlopeTaps, NODES, SIZES};
 use crate::filter::texture::color_type;
 use crate::transfer::color_map::ColorMap;
 use crate::transfer::slope_map::SlopeMap;
 use crate::Error;
 
 /// Tiers and reads from which an accuracy chooses: five reads are lost on one normal distribution, and three are too
-/// few for each of two where slopes vary twice as much across the view as along it. Nine lose nothing there.
+/// few for each of two where slopes vary twice as much across the view as along it. Seven and five lose nothing there.
 const CHOICES: [(SlopeTier, SlopeTaps); 4] = [
     (SlopeTier::Gaussian, SlopeTaps::One),
     (SlopeTier::Gaussian, SlopeTaps::Three),
     (SlopeTier::Pair, SlopeTaps::Five),
-    (SlopeTier::Pair, SlopeTaps::Nine),
+    CLOSEST,
 ];
+
+/// The closest of them, for whoever asks for no accuracy.
+const CLOSEST: (SlopeTier, SlopeTaps) = (SlopeTier::Pair, SlopeTaps::Seven);
 
 /// Those from which it chooses where the scene names the other.
 const TIERS: [SlopeTier; 2] = [SlopeTier::Gaussian, SlopeTier::Pair];
-const TAPS: [SlopeTaps; 4] = [SlopeTaps::One, SlopeTaps::Three, SlopeTaps::Five, SlopeTaps::Nine];
+const TAPS: [SlopeTaps; 5] = [SlopeTaps::One, SlopeTaps::Three, SlopeTaps::Five, SlopeTaps::Seven, SlopeTaps::Nine];
 
 impl Scene {
     /// Cs of a map of the whole slope: color by direction and steepness of the slopes of a rough surface that a view
@@ -31,7 +34,7 @@ impl Scene {
     /// 128 × 128 × 20 texels, 2.5 MiB, or of 64 × 64 × 20 or 32 × 32 × 20 where an accuracy asks for no more.
     /// [`SlopeTier`] says what stands for the visible slopes and [`Self::slope_taps`] how many reads for each normal
     /// distribution of those. The colors are, whichever [`Colors`](crate::Colors), in the table, which takes some
-    /// tenths of a second to bake.
+    /// hundredths of a second to bake.
     ///
     /// The ranges are those of each component of the mean slope and of the deviation along the widest axis of the
     /// covariance; by default means to 1 either way and deviations to 0.5. Bounds are estimates, for views above the
@@ -80,23 +83,25 @@ impl Scene {
                 return Err(Error::Conflict(format!("{} goes without {taps}", SlopeTier::Naive)))
             }
             (Some(SlopeTier::Naive), None) => vec![(SlopeTier::Naive, SlopeTaps::One)],
+            (None, None) if self.accuracy.is_none() => vec![CLOSEST],
             (None, None) => CHOICES.to_vec(),
             (Some(tier), None) => TAPS.map(|taps| (tier, taps)).to_vec(),
             (None, Some(taps)) => TIERS.map(|tier| (tier, taps)).to_vec(),
             (Some(tier), Some(taps)) => vec![(tier, taps)],
         };
         let attempt = |nodes: usize| {
-            let atlas = Atlas::new(map, nodes, self.chosen_ranges());
-            let candidate = |&(tier, taps): &(SlopeTier, SlopeTaps)| {
-                let filter = over(&atlas, map, tier, taps);
-                let alike = over(&atlas, map, SlopeTier::Unweighted, taps).body;
+            let mut atlas = Atlas::new(map, nodes, self.chosen_ranges());
+            let candidate = |(number, &(tier, taps)): (usize, &(SlopeTier, SlopeTaps))| {
+                let table = if number + 1 == choices.len() { atlas.take(tier) } else { atlas.table(tier) };
+                let filter = over(body(&atlas, map, tier, taps), table, map, tier, taps);
+                let alike = body(&atlas, map, SlopeTier::Unweighted, taps);
                 let label = format!("{tier} by {taps}{}", of_texels([nodes; 2], [NODES; 2]));
                 let glue = glue(&self.name, map, &atlas, tier, &label, &parameters(&filter.tables), &filter.body)
                     + &self.driven("slope_map", color_type(map.channels()), given(tier), &filter.tables);
                 let text = Text { glue, beneath: String::new(), alike };
                 self.candidate(label, Over::SlopeMap(tier, taps), filter.bound.value(), filter, text)
             };
-            choices.iter().map(candidate).collect()
+            choices.iter().enumerate().map(candidate).collect()
         };
         let named = self.slope_tier.is_some() && self.slope_taps.is_some();
         let sizes = if named { vec![NODES] } else { self.sizes(&SIZES, NODES) };

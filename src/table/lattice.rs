@@ -90,18 +90,6 @@ impl Lattice {
         rows(groups.len(), worst).into_iter().fold(0.0, f32::max)
     }
 
-    /// The texels of all columns and rows as they are read at a slice's value.
-    pub(super) fn slice(self, texels: &[f32], third: f64) -> Vec<[f64; 4]> {
-        let Self([columns, lines, slices]) = self;
-        let (length, number) = (4 * columns.count * lines.count, slices.number(third));
-        let [low, high] = [number.floor(), number.ceil()].map(|slice| &texels[slice as usize * length..][..length]);
-        let between = |(low, high): (&[f32], &[f32])| {
-            let of = |channel: usize| [low, high].map(|texel| f64::from(texel[channel]));
-            std::array::from_fn(|channel| of(channel)[0] + number.fract() * (of(channel)[1] - of(channel)[0]))
-        };
-        low.chunks_exact(4).zip(high.chunks_exact(4)).map(between).collect()
-    }
-
     /// What a filtering sampler returns at a column's, a row's and a slice's value.
     pub(super) fn filtered(self, texels: &[f32], at: [f64; 3]) -> [f64; 4] {
         let numbers = [0, 1, 2].map(|axis| self.0[axis].number(at[axis]));

@@ -3,6 +3,7 @@
 pub(crate) mod bake;
 mod balanced;
 pub mod grid;
+mod hats;
 mod hiding;
 mod lattice;
 mod layers;

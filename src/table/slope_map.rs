@@ -2,16 +2,10 @@
 //! the product of the means along both components, and judged by quadrature of the map.
 
 use super::grid::Axis;
+use super::hats::{of_colors, of_rows, Hats, Weights};
 use super::lattice::{half_rounded, rows, Lattice};
 use super::Table;
-use crate::reference::normal::{cumulative, density};
 use crate::reference::slope_map::Bilinear;
-
-/// Beyond this many deviations lies less than 6e-7 of a distribution.
-const FAR: f64 = 5.0;
-
-/// Of so many deviations next to each other the map itself has the last word where reads are farthest from its means.
-const JUDGED: usize = 5;
 
 /// A map, the axes of its table, and what the table is judged over.
 #[derive(Clone, Copy)]
@@ -47,38 +41,45 @@ impl Baked {
 impl Plan<'_> {
     /// The table, and how far it is from the map's means between its nodes.
     pub(crate) fn table(self, name: &str) -> Baked {
-        let lattice = Lattice([self.slopes, self.slopes, self.deviations]);
+        let sheet = Sheet::new(self);
         let nodes: Vec<f64> = (0..self.slopes.count).map(|node| self.slopes.value(node as f64)).collect();
-        let slice = |slice: usize| {
-            let colors = means(self.map, &nodes, &nodes, self.deviations.value(slice as f64));
-            colors.into_iter().flat_map(|color| color.map(half_rounded)).collect()
-        };
-        let texels = rows(self.deviations.count, slice);
-        let halves = (0..2 * self.deviations.count - 1).map(|half| self.deviations.value(0.5 * half as f64));
-        let deviations: Vec<f64> = halves.collect();
-        let groups: Vec<&[f64]> = deviations.chunks(JUDGED).collect();
-        let errors = rows(groups.len(), |group| self.errors(lattice, &texels, groups[group]));
-        let table = lattice.table(name, texels, errors.iter().copied().fold(0.0, f32::max));
-        Baked { table, errors: deviations.into_iter().zip(errors).collect() }
+        let mut texels = vec![0.0; 4 * nodes.len() * nodes.len() * self.deviations.count];
+        filled(&mut texels, 4 * nodes.len() * nodes.len(), |slice, texels| {
+            let sums = sheet.hats.all(&nodes, self.deviations.value(slice as f64));
+            sheet.means([&sums, &sums], |row, column, color| {
+                let texel = &mut texels[4 * (row * nodes.len() + column)..][..4];
+                texel.iter_mut().zip(color).for_each(|(texel, value)| *texel = half_rounded(value.into()));
+            });
+        });
+        let errors = self.errors(&sheet, &texels);
+        let lattice = Lattice([self.slopes, self.slopes, self.deviations]);
+        let table = lattice.table(name, texels, errors.iter().map(|error| error.1).fold(0.0, f32::max));
+        Baked { table, errors }
     }
 
     /// The largest difference between a filtered read and the map's mean at each deviation; the map itself has the last
-    /// word on the largest of all.
-    fn errors(self, lattice: Lattice, texels: &[f32], deviations: &[f64]) -> Vec<f32> {
-        let mut found: Vec<(f64, [f64; 2])> =
-            deviations.iter().map(|&deviation| self.worst(lattice, texels, deviation)).collect();
-        let numbers = deviations.iter().zip(&mut found);
-        if let Some((deviation, (error, [x, y]))) = numbers.max_by(|one, other| one.1 .0.total_cmp(&other.1 .0)) {
-            let variance = deviation * deviation;
-            let read = lattice.filtered(texels, [*x, *y, *deviation]);
-            *error = apart(read, self.map.mean([*x, *y], [variance, 0.0, variance]));
+    /// word on the largest of all, and on that of the deviations above which colors are smooth.
+    fn errors(self, sheet: &Sheet<'_>, texels: &[f32]) -> Vec<(f64, f32)> {
+        let halves = 2 * self.deviations.count - 1;
+        let deviation = |half: usize| self.deviations.value(0.5 * half as f64);
+        let places = rows(halves, |half| self.worst(sheet, texels, deviation(half)).to_vec());
+        let mut errors: Vec<(f64, f32)> = (0..halves).map(|half| (deviation(half), places[3 * half])).collect();
+        for from in [0.0, self.smooth] {
+            let counted = errors.iter().enumerate().filter(|(_, error)| error.0 >= from);
+            let Some((half, _)) = counted.max_by(|one, other| one.1 .1.total_cmp(&other.1 .1)) else { continue };
+            let (deviation, place) = (deviation(half), [1, 2].map(|axis| f64::from(places[3 * half + axis])));
+            let lattice = Lattice([self.slopes, self.slopes, self.deviations]);
+            let read = lattice.filtered(texels, [place[0], place[1], deviation]);
+            let truth = self.map.mean(place, [deviation * deviation, 0.0, deviation * deviation]);
+            errors[half].1 =
+                read.iter().zip(truth).map(|(read, truth)| (read - truth).abs() as f32).fold(0.0, f32::max);
         }
-        found.into_iter().map(|(error, _)| error as f32).collect()
+        errors
     }
 
     /// The largest difference at a deviation and where it is: at the centers of cells, beside them on the lines of
     /// nodes, and beyond the axis.
-    fn worst(self, lattice: Lattice, texels: &[f32], deviation: f64) -> (f64, [f64; 2]) {
+    fn worst(self, sheet: &Sheet<'_>, texels: &[f32], deviation: f64) -> [f32; 3] {
         let asked = |slope: &f64| slope.abs() <= self.farthest;
         let half = |half: usize| self.slopes.value(0.5 * half as f64);
         let beyond = [-self.farthest, self.farthest];
@@ -88,115 +89,90 @@ impl Plan<'_> {
         let centers = (1..self.slopes.count).step_by(other).map(|cell| half(2 * cell - 1));
         let columns: Vec<f64> = columns.chain(beyond).filter(asked).collect();
         let centers: Vec<f64> = centers.chain(beyond).filter(asked).collect();
-        let near = means(self.map, &columns, &centers, deviation);
-        let slice = lattice.slice(texels, deviation);
-        let place = |at: &f64| {
-            let number = self.slopes.number(*at);
-            (number as usize, number.fract())
+        let size = self.slopes.count;
+        let between = |at: f64, last: usize| {
+            let low = (at as usize).min(last.saturating_sub(1));
+            Weights { first: low, weights: vec![1.0 - (at - low as f64) as f32, (at - low as f64) as f32] }
         };
-        let [columns_at, centers_at] = [&columns, &centers].map(|places| places.iter().map(place).collect::<Vec<_>>());
-        let (size, last) = (self.slopes.count, self.slopes.count - 1);
-        let mut worst = (0.0, [0.0; 2]);
-        for ((y, &(row, up)), near) in centers.iter().zip(&centers_at).zip(near.chunks_exact(columns.len())) {
-            let [low, high] = [row, (row + 1).min(last)].map(|row| &slice[row * size..(row + 1) * size]);
-            for ((x, &(column, along)), near) in columns.iter().zip(&columns_at).zip(near) {
-                let next = (column + 1).min(last);
-                let error = apart(
-                    between(between(low[column], low[next], along), between(high[column], high[next], along), up),
-                    *near,
-                );
-                if error > worst.0 {
-                    worst = (error, [*x, *y]);
-                }
+        let [along, down] = [&columns, &centers]
+            .map(|places| places.iter().map(|&at| between(self.slopes.number(at), size - 1)).collect::<Vec<_>>());
+        // What a sampler reads: between two slices, then between two rows of them, then between two columns.
+        let slices = [between(self.deviations.number(deviation), self.deviations.count - 1)];
+        let lines = of_rows(&down, &of_rows(&slices, texels, 4 * size * size), 4 * size);
+        let mut read = Vec::with_capacity(columns.len() * centers.len());
+        of_colors(&along, &lines, 4 * size, |_, _, color| read.push(color));
+        let sums = [&columns, &centers].map(|places| sheet.hats.all(places, deviation));
+        let mut worst = [0.0; 3];
+        sheet.means([&sums[0], &sums[1]], |row, column, near| {
+            let read = read[row * columns.len() + column];
+            let error = read.iter().zip(near).map(|(read, near)| (read - near).abs()).fold(0.0, f32::max);
+            if error > worst[0] {
+                worst = [error, columns[column] as f32, centers[row] as f32];
             }
-        }
+        });
         worst
     }
 }
 
-/// What lies a part of the way from one color to another.
-fn between(from: [f64; 4], to: [f64; 4], part: f64) -> [f64; 4] {
-    std::array::from_fn(|channel| from[channel] + part * (to[channel] - from[channel]))
+/// A map's colors in a row, and what weighs its nodes.
+struct Sheet<'a> {
+    hats: Hats<'a>,
+    colors: Vec<f32>,
+    length: usize,
 }
 
-/// The largest difference of two colors in a channel.
-fn apart(one: [f64; 4], other: [f64; 4]) -> f64 {
-    one.iter().zip(other).map(|(one, other)| (one - other).abs()).fold(0.0, f64::max)
-}
-
-/// The weights of the nodes in the mean over a normal variable of a function that is linear between them and constant
-/// beyond: the first node that has one, and the weights.
-///
-/// The mean of the ramp from 0 at a node to 1 at the next is the difference of the means of max(v − x, 0) at both, over
-/// their distance; a node's hat is the difference of the ramps on its sides.
-fn hats(nodes: &[f64], mean: f64, deviation: f64) -> (usize, Vec<f64>) {
-    let excess = |node: f64| {
-        let from = (mean - node) / deviation;
-        if deviation > 0.0 && from.abs() < FAR {
-            deviation * (density(from) + from * cumulative(from))
-        } else {
-            (mean - node).max(0.0)
-        }
-    };
-    let reach = FAR * deviation;
-    let first = nodes.partition_point(|&node| node <= mean - reach).saturating_sub(1);
-    let last = nodes.partition_point(|&node| node < mean + reach).min(nodes.len() - 1);
-    let ramp = |cell: usize| (excess(nodes[cell]) - excess(nodes[cell + 1])) / (nodes[cell + 1] - nodes[cell]);
-    let mut left = 1.0;
-    let weight = |node: usize| {
-        let right = if node + 1 < nodes.len() && node < last { ramp(node) } else { 0.0 };
-        let weight = left - right;
-        left = right;
-        weight
-    };
-    (first, (first..=last).map(weight).collect())
-}
-
-/// The means of a map over round normal distributions at all pairs of components, row by row.
-fn means(map: &Bilinear, columns: &[f64], lines: &[f64], deviation: f64) -> Vec<[f64; 4]> {
-    let [across, down] = [columns, lines]
-        .map(|places| places.iter().map(|&at| hats(&map.nodes, at, deviation)).collect::<Vec<(usize, Vec<f64>)>>());
-    let size = map.nodes.len();
-    // Sums of whole rows run over neighbors: first along the lines, then, the axes exchanged, along the columns.
-    let blurred = exchanged(&weighted(&down, &map.colors, size), size);
-    let means = weighted(&across, &blurred, lines.len());
-    exchanged(&means, lines.len())
-}
-
-/// Weighted sums of rows of so many colors.
-fn weighted(sums: &[(usize, Vec<f64>)], rows: &[[f64; 4]], length: usize) -> Vec<[f64; 4]> {
-    let mut all = vec![[0.0; 4]; sums.len() * length];
-    for ((first, weights), sum) in sums.iter().zip(all.chunks_exact_mut(length)) {
-        for (weight, row) in weights.iter().zip(rows[first * length..].chunks_exact(length)) {
-            for (total, color) in sum.iter_mut().zip(row) {
-                *total = std::array::from_fn(|channel| total[channel] + weight * color[channel]);
-            }
-        }
+impl<'a> Sheet<'a> {
+    fn new(plan: Plan<'a>) -> Self {
+        let colors = plan.map.colors.iter().flatten().map(|&channel| channel as f32).collect();
+        Self { hats: Hats::new(&plan.map.nodes), colors, length: 4 * plan.map.nodes.len() }
     }
-    all
+
+    /// The means of the map by weights along columns and rows: row and column of each, and its color.
+    fn means(&self, [columns, rows]: [&[Weights]; 2], color: impl FnMut(usize, usize, [f32; 4])) {
+        of_colors(columns, &of_rows(rows, &self.colors, self.length), self.length, color);
+    }
 }
 
-/// Rows of so many colors as columns.
-fn exchanged(rows: &[[f64; 4]], length: usize) -> Vec<[f64; 4]> {
-    (0..length).flat_map(|column| rows.iter().skip(column).step_by(length).copied()).collect()
+/// Fills slices of so many texels, by turns on as many threads as the machine has.
+fn filled(texels: &mut [f32], length: usize, slice: impl Fn(usize, &mut [f32]) + Sync) {
+    let threads = std::thread::available_parallelism().map_or(1, |threads| threads.get());
+    let mut shares: Vec<Vec<(usize, &mut [f32])>> = (0..threads).map(|_| Vec::new()).collect();
+    for (number, texels) in texels.chunks_exact_mut(length).enumerate() {
+        shares[number % threads].push((number, texels));
+    }
+    let slice = &slice;
+    std::thread::scope(|scope| {
+        for share in shares {
+            scope.spawn(move || share.into_iter().for_each(|(number, texels)| slice(number, texels)));
+        }
+    });
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::table::grid::Spacing;
 
+    /// Sums of f32 are as near to the integral as 1e-6 of the largest color, a 200th of what halves leave.
     #[test]
     fn means_are_those_of_the_reference() {
-        // Uneven nodes, and colors without symmetry.
-        let nodes = vec![-2.0, -0.5, 0.1, 0.3, 4.0];
-        let colors = (0..25).map(|at| [0, 1, 2, 3].map(|channel| f64::from((7 * at + 5 * channel) % 11) / 11.0));
-        let map = Bilinear { nodes, colors: colors.collect() };
-        for (place, deviation) in
-            [([0.2, -0.3], 0.4), ([-1.9, 3.7], 0.05), ([8.0, -6.0], 1.5), ([0.1, 0.2], 0.0), ([0.11, 0.2], 1e-4)]
-        {
-            let truth = map.mean(place, [deviation * deviation, 0.0, deviation * deviation]);
-            let found = means(&map, &place[..1], &place[1..], deviation)[0];
-            assert!(apart(truth, found) < 1e-7, "{place:?}, {deviation}: {found:?} {truth:?}");
+        // Uneven nodes, few and many, and colors without symmetry.
+        let uneven = |count: usize| (0..count).map(move |node| 0.1 * node as f64 + (node as f64).sin() * 0.04 - 2.0);
+        for nodes in [vec![-2.0, -0.5, 0.1, 0.3, 4.0], uneven(40).collect::<Vec<f64>>()] {
+            let color = |at: usize| [0, 1, 2, 3].map(|channel| f64::from(((7 * at + 5 * channel) % 11) as f32 / 11.0));
+            let map = Bilinear { colors: (0..nodes.len() * nodes.len()).map(color).collect(), nodes };
+            let axis = Axis { low: 0.0, high: 1.0, count: 2, spacing: Spacing::Linear };
+            let sheet = Sheet::new(Plan { map: &map, slopes: axis, deviations: axis, farthest: 1.0, smooth: 0.0 });
+            let places = [([0.2, -0.3], 0.4), ([-1.9, 3.7], 0.05), ([8.0, -6.0], 1.5), ([0.1, 0.2], 0.0)];
+            for (place, deviation) in places.into_iter().chain([([0.11, 0.2], 1e-4), ([0.7, -1.2], 2.1)]) {
+                let truth = map.mean(place, [deviation * deviation, 0.0, deviation * deviation]);
+                let [x, y] = [0, 1].map(|axis| sheet.hats.all(&place[axis..=axis], deviation));
+                sheet.means([&x, &y], |_, _, found| {
+                    let error = truth.iter().zip(found).map(|(truth, found)| (truth - f64::from(found)).abs());
+                    let worst = error.fold(0.0, f64::max);
+                    assert!(worst < 1e-6, "{place:?}, {deviation}: {found:?} {truth:?}");
+                });
+            }
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use std::sync::OnceLock;
 
+use prefilter::reference::footprint::deviations;
 use prefilter::reference::rounds::nearest;
 
 use super::Row;
@@ -36,20 +37,44 @@ impl<const N: usize> Nearest<N> {
     }
 }
 
+/// The minor over the major deviation of both distributions of a pair.
+fn round(x: &[f64]) -> [f64; 2] {
+    [x[5], x[7]].map(|variance| {
+        let [xx, xy, yy] = [[0, 0], [0, 1], [1, 1]].map(|[i, j]| variance * x[i] * x[j] + x[2 + i] * x[2 + j]);
+        let [major, minor] = deviations([xx, xy, yy]);
+        minor / major
+    })
+}
+
+/// The pair from one of its distributions on.
+fn of(x: &[f64], from: usize) -> [f64; 4] {
+    std::array::from_fn(|number| x[4 + (from - 4 + number) % 4])
+}
+
 pub(super) fn rows() -> Vec<Row> {
     static THREE: OnceLock<Nearest<2>> = OnceLock::new();
     static FIVE: OnceLock<Nearest<4>> = OnceLock::new();
+    static SEVEN: OnceLock<Nearest<6>> = OnceLock::new();
     static NINE: OnceLock<Nearest<8>> = OnceLock::new();
+    let seven = |part: f64| {
+        let start = [0.7127, 1.4685, 2.3631, 0.2334, 0.0963, 0.0165];
+        SEVEN.get_or_init(|| Nearest::new(0.4, 0.002, 145, start)).at(part)
+    };
     let nine = |part: f64| {
         let start = [0.574, 1.168, 1.816, 2.609, 0.2025, 0.1213, 0.0474, 0.0096];
         NINE.get_or_init(|| Nearest::new(0.3, 0.002, 107, start)).at(part)
     };
+    let third = |pairs: [f64; 6], from: usize| -> [f64; 3] { std::array::from_fn(|number| pairs[from + number]) };
     let half = |pairs: [f64; 8], from: usize| -> [f64; 4] { std::array::from_fn(|number| pairs[from + number]) };
     vec![
         Row::new("rounds_three", |x| THREE.get_or_init(|| Nearest::new(0.6, 0.004, 80, [1.18, 0.219])).at(x[0])),
         Row::new("rounds_five", |x| {
             FIVE.get_or_init(|| Nearest::new(0.36, 0.002, 110, [0.846, 1.82, 0.249, 0.074])).at(x[0])
         }),
+        Row::new("rounds_seven_places", move |x| third(seven(x[0]), 0)),
+        Row::new("rounds_seven_weights", move |x| third(seven(x[0]), 3)),
+        Row::new("rounds_longer_first", |x| if round(x)[0] < round(x)[1] { of(x, 4) } else { of(x, 6) })
+            .only_where(|x| x[5] < x[7] && (round(x)[0] - round(x)[1]).abs() > 1e-3 * round(x)[1]),
         Row::new("rounds_nine_places", move |x| half(nine(x[0]), 0)),
         Row::new("rounds_nine_weights", move |x| half(nine(x[0]), 4)),
     ]

@@ -21,10 +21,11 @@ fn map() -> (Bilinear, Table) {
 
 pub(super) fn rows() -> Vec<Row> {
     let (map, table) = map();
-    let reads = ["slope_map_one", "slope_map_three", "slope_map_five", "slope_map_nine"].map(|name| {
-        let map = map.clone();
-        Row::new(name, move |x| map.mean([x[0], x[1]], [x[2], x[3], x[4]])).table(table.clone(), Address::Clamp)
-    });
+    let reads =
+        ["slope_map_one", "slope_map_three", "slope_map_five", "slope_map_seven", "slope_map_nine"].map(|name| {
+            let map = map.clone();
+            Row::new(name, move |x| map.mean([x[0], x[1]], [x[2], x[3], x[4]])).table(table.clone(), Address::Clamp)
+        });
     let round = map.clone();
     let read = Row::new("slope_map_read", move |x| round.mean([x[0], x[1]], [x[2] * x[2], 0.0, x[2] * x[2]]));
     reads.into_iter().chain([read.table(table, Address::Clamp)]).collect()

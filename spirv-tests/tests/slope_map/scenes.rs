@@ -90,6 +90,7 @@ fn random_maps_keep_their_bounds() -> Outcome {
             (SlopeTier::Gaussian, SlopeTaps::Three),
             (SlopeTier::Pair, SlopeTaps::Three),
             (SlopeTier::Pair, SlopeTaps::Five),
+            (SlopeTier::Pair, SlopeTaps::Seven),
             (SlopeTier::Pair, SlopeTaps::Nine),
         ] {
             let scene = Scene::new("judged").slope_map(map.clone()).slope_tier(tier).slope_taps(taps);
@@ -145,7 +146,7 @@ fn limits_are_the_map_itself() -> Outcome {
     let color = [0.25, 0.5, 0.75];
     let flat = SlopeMap::from_texels(3, 1.0, &[color; 9])?;
     let ramp = SlopeMap::from_function(128, SlopeDomain::All, |[x, y]| [x.clamp(-1.0, 1.0), y.clamp(-1.0, 1.0), 0.5])?;
-    for taps in [SlopeTaps::One, SlopeTaps::Three, SlopeTaps::Five, SlopeTaps::Nine] {
+    for taps in [SlopeTaps::One, SlopeTaps::Three, SlopeTaps::Five, SlopeTaps::Seven, SlopeTaps::Nine] {
         let scene =
             |map: &SlopeMap| Scene::new("plain").slope_map(map.clone()).slope_tier(SlopeTier::Pair).slope_taps(taps);
         let module = scene(&flat).module()?;
@@ -170,7 +171,7 @@ fn the_accuracy_chooses_among_tiers_and_reads() -> Outcome {
         (0.4, "one normal distribution by one read"),
         (0.12, "one normal distribution by three reads"),
         (0.09, "two normal distributions by five reads"),
-        (0.065, "two normal distributions by nine reads"),
+        (0.065, "two normal distributions by up to seven reads"),
     ] {
         let module = scene(error).module()?;
         assert!(module.bound().value() <= error);
@@ -179,7 +180,7 @@ fn the_accuracy_chooses_among_tiers_and_reads() -> Outcome {
     assert!(matches!(scene(1e-3).module(), Err(Error::Accuracy { .. })));
     // Whoever asks for none takes the closest.
     let closest = Scene::new("rock").slope_map(map.clone()).module()?;
-    assert!(closest.explain().starts_with("rock: slope map (Cs) by two normal distributions by nine reads"));
+    assert!(closest.explain().starts_with("rock: slope map (Cs) by two normal distributions by up to seven reads"));
     assert!(closest.explain().contains("at most twice as large along an axis as across"), "{}", closest.explain());
     let named = Scene::new("rock").slope_map(map.clone()).slope_tier(SlopeTier::Pair).slope_taps(SlopeTaps::One);
     assert!(named.module()?.explain().contains("chosen  the scene names this tier"));

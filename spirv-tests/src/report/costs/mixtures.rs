@@ -38,6 +38,7 @@ fn slopes(map: &ColorMap) -> Result<Vec<Entry>, Error> {
         (SlopeTier::Gaussian, SlopeTaps::One),
         (SlopeTier::Gaussian, SlopeTaps::Three),
         (SlopeTier::Pair, SlopeTaps::Five),
+        (SlopeTier::Pair, SlopeTaps::Seven),
         (SlopeTier::Pair, SlopeTaps::Nine),
     ] {
         let scene = Scene::new("judged").slope_map(snow.clone()).slope_tier(tier).slope_taps(taps);

@@ -64,6 +64,7 @@ fn case(snow: &Snow) -> Result<Case, Error> {
         of(Role::Tier, SlopeTier::Gaussian, SlopeTaps::One)?,
         of(Role::Tier, SlopeTier::Gaussian, SlopeTaps::Three)?,
         of(Role::Tier, SlopeTier::Pair, SlopeTaps::Five)?,
+        of(Role::Tier, SlopeTier::Pair, SlopeTaps::Seven)?,
         of(Role::Tier, SlopeTier::Pair, SlopeTaps::Nine)?,
     ];
     Ok(Case {

@@ -1,0 +1,127 @@
+//! Means over normal variables of functions that are linear between nodes and constant beyond: the weights of the
+//! nodes, and sums of rows of colors by them.
+
+use crate::reference::normal::{cumulative, density};
+
+/// Beyond this many deviations lies less than 6e-7 of a distribution.
+const FAR: f64 = 5.0;
+
+/// Places a deviation at which the mean excess is known: cubic between them it errs by 6e-11.
+const PLACES: usize = 64;
+
+/// The nodes of a function, and what weighs them.
+pub(super) struct Hats<'a> {
+    nodes: &'a [f64],
+    /// The mean of max(z − t, 0) over a standard normal z, and its derivative by t times the distance of places.
+    excess: Vec<[f64; 2]>,
+}
+
+/// Weights of nodes that follow each other.
+pub(super) struct Weights {
+    /// The first node that has one.
+    pub first: usize,
+    /// The weights.
+    pub weights: Vec<f32>,
+}
+
+impl<'a> Hats<'a> {
+    /// Of nodes that rise.
+    pub(super) fn new(nodes: &'a [f64]) -> Self {
+        let place = |place: usize| {
+            let [at, above] = [place as f64 / PLACES as f64, cumulative(-(place as f64) / PLACES as f64)];
+            [density(at) - at * above, -above / PLACES as f64]
+        };
+        Self { nodes, excess: (0..=FAR as usize * PLACES).map(place).collect() }
+    }
+
+    /// The mean of max(v − node, 0) over a normal v so far from the node.
+    fn above(&self, from: f64, deviation: f64) -> f64 {
+        let place = from.abs() / deviation * PLACES as f64;
+        let known = if deviation > 0.0 { self.excess.get(place as usize..) } else { None };
+        match known {
+            Some(&[[low, falls], [high, flattens], ..]) => {
+                let part = place.fract();
+                let left = 1.0 - part;
+                let ends = low * (1.0 + 2.0 * part) * left * left + high * (3.0 - 2.0 * part) * part * part;
+                from.max(0.0) + deviation * (ends + part * left * (falls * left - flattens * part))
+            }
+            _ => from.max(0.0),
+        }
+    }
+
+    /// The weights of the nodes in the mean over a normal variable.
+    ///
+    /// The mean of the ramp from 0 at a node to 1 at the next is the difference of the means of max(v − x, 0) at both,
+    /// over their distance; a node's hat is the difference of the ramps on its sides.
+    fn weights(&self, mean: f64, deviation: f64) -> Weights {
+        let (nodes, reach) = (self.nodes, FAR * deviation);
+        let first = nodes.partition_point(|&node| node <= mean - reach).saturating_sub(1);
+        let last = nodes.partition_point(|&node| node < mean + reach).min(nodes.len() - 1);
+        let (mut left, mut above) = (1.0, self.above(mean - nodes[first], deviation));
+        let weight = |node: usize| {
+            let mut right = 0.0;
+            if node < last {
+                let next = self.above(mean - nodes[node + 1], deviation);
+                right = (above - next) / (nodes[node + 1] - nodes[node]);
+                above = next;
+            }
+            let weight = left - right;
+            left = right;
+            weight as f32
+        };
+        Weights { first, weights: (first..=last).map(weight).collect() }
+    }
+
+    /// The weights in the means at some places.
+    pub(super) fn all(&self, means: &[f64], deviation: f64) -> Vec<Weights> {
+        means.iter().map(|&mean| self.weights(mean, deviation)).collect()
+    }
+}
+
+/// Weighted sums of whole rows of so many numbers.
+pub(super) fn of_rows(sums: &[Weights], rows: &[f32], length: usize) -> Vec<f32> {
+    let mut all = vec![0.0; sums.len() * length];
+    for (sum, total) in sums.iter().zip(all.chunks_exact_mut(length)) {
+        let mut rows = rows[sum.first * length..].chunks_exact(length);
+        for weights in sum.weights.chunks(4) {
+            let taken = [0; 4].map(|_| rows.next());
+            match (weights, taken) {
+                (&[a, b, c, d], [Some(one), Some(two), Some(three), Some(four)]) => {
+                    let numbers = one.iter().zip(two).zip(three.iter().zip(four));
+                    for (total, ((one, two), (three, four))) in total.iter_mut().zip(numbers) {
+                        *total += (a * one + b * two) + (c * three + d * four);
+                    }
+                }
+                _ => {
+                    for (weight, row) in weights.iter().zip(taken.into_iter().flatten()) {
+                        total.iter_mut().zip(row).for_each(|(total, number)| *total += weight * number);
+                    }
+                }
+            }
+        }
+    }
+    all
+}
+
+/// Weighted sums of the colors within each row of so many numbers, row by row.
+pub(super) fn of_colors(sums: &[Weights], rows: &[f32], length: usize, mut color: impl FnMut(usize, usize, [f32; 4])) {
+    for (number, row) in rows.chunks_exact(length).enumerate() {
+        for (column, sum) in sums.iter().enumerate() {
+            // Two sums beside each other wait half as long for their last addition.
+            let mut halves = [[0.0f32; 4]; 2];
+            let (colors, weights) = (&row[4 * sum.first..], &sum.weights[..]);
+            for (weights, two) in weights.chunks_exact(2).zip(colors.chunks_exact(8)) {
+                for channel in 0..4 {
+                    halves[0][channel] += weights[0] * two[channel];
+                    halves[1][channel] += weights[1] * two[4 + channel];
+                }
+            }
+            if let (&[weight], Some(last)) =
+                (weights.chunks_exact(2).remainder(), colors.chunks_exact(4).nth(weights.len() - 1))
+            {
+                (0..4).for_each(|channel| halves[0][channel] += weight * last[channel]);
+            }
+            color(number, column, std::array::from_fn(|channel| halves[0][channel] + halves[1][channel]));
+        }
+    }
+}
