@@ -198,6 +198,7 @@ pub fn steepnesses() -> Result<Vec<(&'static str, Scene)>> {
         ("steepness_default", cliff()),
         ("steepness_dynamic", cliff().colors(Colors::Dynamic)),
         ("steepness_naive", cliff().slope_tier(SlopeTier::Naive)),
+        ("steepness_three", cliff().slope_taps(SlopeTaps::Three)),
         ("steepness_pair", cliff().slope_tier(SlopeTier::Pair)),
     ])
 }

@@ -1,12 +1,14 @@
 //! Cs of a map of the steepness |s|, such as rock on cliffs, by distributions of Rice: reads from a table over them.
 //!
-//! One has the mean and the variance of |s|² over the slopes that a view sees. Closer are ten: two normal distributions
-//! stand for the visible slopes, as in [`slope`](super::slope), and five round ones along the major axis for each of
-//! those, whose lengths have distributions of Rice.
+//! One has the mean and the variance of |s|² over the slopes that a view sees. Closer are three, of parts of the
+//! visible slopes beside each other on their major axis, and ten: two normal distributions stand for the visible
+//! slopes, as in [`slope`](super::slope), and five round ones along the major axis for each of those, whose lengths
+//! have distributions of Rice.
 
 use super::height::variation;
 use super::shared::{statements, Shared};
 use super::slope::{self, SlopeTier};
+use super::slope_map::SlopeTaps;
 use super::texture::{bends, color_type, number, swizzle, Filter};
 use crate::accuracy::{Bound, Ranges};
 use crate::table::grid::{Axis, Spacing};
@@ -24,23 +26,63 @@ pub(crate) const SIZES: [[usize; 2]; 3] = [[64, 16], [128, 16], NODES];
 /// the device.
 const NAIVE: f64 = 1.0;
 const ONE: f64 = 0.105;
+const THREE: f64 = 3.7e-2;
 const TEN: f64 = 0.026;
 
-/// The largest error of a step.
-pub(crate) fn step(tier: SlopeTier) -> f64 {
-    match tier {
-        SlopeTier::Naive => NAIVE,
-        SlopeTier::Unweighted | SlopeTier::Gaussian => ONE,
-        SlopeTier::Pair => TEN,
-    }
+/// What stands for the lengths of the visible slopes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Lengths {
+    /// That of the mean slope.
+    Naive,
+    /// A distribution of Rice.
+    One,
+    /// Three.
+    Three,
+    /// Ten.
+    Ten,
 }
 
-/// The tier in words.
-pub(crate) fn label(tier: SlopeTier) -> &'static str {
-    match tier {
-        SlopeTier::Naive => "the mean slope",
-        SlopeTier::Unweighted | SlopeTier::Gaussian => "one distribution of Rice",
-        SlopeTier::Pair => "ten distributions of Rice",
+impl Lengths {
+    /// Those that a tier of slopes and reads name, none where they name what there is not.
+    pub(crate) fn named(tier: Option<SlopeTier>, taps: Option<SlopeTaps>) -> Option<Self> {
+        match (tier, taps) {
+            (Some(SlopeTier::Naive), None) => Some(Self::Naive),
+            (None | Some(SlopeTier::Gaussian), Some(SlopeTaps::One)) | (Some(SlopeTier::Gaussian), None) => {
+                Some(Self::One)
+            }
+            (None | Some(SlopeTier::Gaussian), Some(SlopeTaps::Three)) => Some(Self::Three),
+            (Some(SlopeTier::Pair), None | Some(SlopeTaps::Five)) | (None, Some(SlopeTaps::Five)) => Some(Self::Ten),
+            _ => None,
+        }
+    }
+
+    /// The largest error of a step.
+    pub(crate) fn step(self) -> f64 {
+        match self {
+            Self::Naive => NAIVE,
+            Self::One => ONE,
+            Self::Three => THREE,
+            Self::Ten => TEN,
+        }
+    }
+
+    /// The tier in words.
+    pub(crate) fn label(self) -> &'static str {
+        match self {
+            Self::Naive => "the mean slope",
+            Self::One => "one distribution of Rice",
+            Self::Three => "three distributions of Rice",
+            Self::Ten => "ten distributions of Rice",
+        }
+    }
+
+    /// How far ν may lie beyond the mean slope's length, and the smallest σ, in deviations of the widest axis.
+    fn reach(self) -> (f32, f64) {
+        match self {
+            Self::Naive | Self::One => (REACH, 1.0),
+            Self::Three => (REACH_OF_THREE, NARROWEST_OF_THREE),
+            Self::Ten => (REACH_OF_TEN, NARROWEST_OF_TEN),
+        }
     }
 }
 
@@ -48,14 +90,18 @@ pub(crate) fn label(tier: SlopeTier) -> &'static str {
 const FLOOR: f64 = 1e-3;
 
 /// How far ν may lie beyond the mean slope's length, and how large σ may be, in deviations of the widest axis, as the
-/// same test finds: 1.334 and 1.218 for one distribution, 2.9 and less than 1 for ten.
+/// same test finds: 1.334 and 1.218 for one distribution, 2.2 and less than 1 for three, 2.9 and less than 1 for ten.
 const REACH: f32 = 1.35;
+const REACH_OF_THREE: f32 = 2.25;
 const REACH_OF_TEN: f32 = 3.1;
 const WIDTH: f32 = 1.25;
 
 /// The smallest σ of ten distributions for axes of ratios up to 2, in deviations of the widest axis: half of the root
 /// of 0.152, the variance of the lower one of the pair at the horizon.
 const NARROWEST_OF_TEN: f64 = 0.19;
+
+/// That of three, as the same test finds.
+const NARROWEST_OF_THREE: f64 = 0.25;
 
 /// The smallest deviation that a bound holds from.
 pub(crate) fn floor(ranges: Ranges) -> f32 {
@@ -81,14 +127,11 @@ const ALIKE: &str = "    let view = vec3f(0.0, 0.0, 1.0);\n";
 pub(crate) fn filter(
     map: &ColorMap,
     colors: Colors,
-    tier: SlopeTier,
+    tier: Lengths,
     [columns, rows]: [usize; 2],
     ranges: Ranges,
 ) -> Steepness {
-    let (reach, narrowest) = match tier {
-        SlopeTier::Pair => (REACH_OF_TEN, NARROWEST_OF_TEN),
-        SlopeTier::Naive | SlopeTier::Unweighted | SlopeTier::Gaussian => (REACH, 1.0),
-    };
+    let (reach, narrowest) = tier.reach();
     let highest = f64::from(highest(ranges, reach));
     let centers = match colors {
         Colors::Constant => Axis::fitted(0.0, highest, columns, &bends(map)).in_f32(),
@@ -103,16 +146,21 @@ pub(crate) fn filter(
         format!("    return {function}({arguments}, {axes}, table, table_sampler){};\n", swizzle(map))
     };
     let (body, alike) = match tier {
-        SlopeTier::Naive => {
+        Lengths::Naive => {
             let body = returned("texture_table", "length(mean_slope), 0.0");
             (body.clone(), body)
         }
-        SlopeTier::Unweighted | SlopeTier::Gaussian => {
+        Lengths::One => {
             let body = returned("texture_table", "rice.x, rice.y");
             let alike = ALIKE.to_owned() + &statements(&shared(tier)) + &body;
             (body, alike)
         }
-        SlopeTier::Pair => {
+        Lengths::Three => {
+            let body = returned("rice_three", "view, mean_slope, slope_covariance");
+            let alike = ALIKE.to_owned() + &body;
+            (body, alike)
+        }
+        Lengths::Ten => {
             let of = |mean: &str, variance: &str| {
                 let slopes = format!("mean_slope + {mean} * factor.xy, slopes_covariance(factor, {variance})");
                 format!("rice_five({slopes}, {axes}, table, table_sampler)")
@@ -131,20 +179,20 @@ pub(crate) fn filter(
             (body, returned("rice_five", "mean_slope, slope_covariance"))
         }
     };
-    let bound = Bound::Estimated((2.0 * f64::from(table.error) + step(tier) * variation(map)) as f32);
+    let bound = Bound::Estimated((2.0 * f64::from(table.error) + tier.step() * variation(map)) as f32);
     Steepness { filter: Filter { body, bound, tables: vec![table], trips: 1 }, alike }
 }
 
 /// The distribution of Rice of the lengths that are seen, or what the two normal distributions of the slopes need.
-pub(crate) fn shared(tier: SlopeTier) -> Vec<Shared> {
+pub(crate) fn shared(tier: Lengths) -> Vec<Shared> {
     match tier {
-        SlopeTier::Naive => Vec::new(),
-        SlopeTier::Unweighted | SlopeTier::Gaussian => {
+        Lengths::Naive | Lengths::Three => Vec::new(),
+        Lengths::One => {
             let square = "steepness_moments(view, mean_slope, slope_covariance)";
             let rice = "steepness_rice(square.x, square.y)";
             vec![Shared::new("square", "vec2f", square), Shared::new("rice", "vec2f", rice)]
         }
-        SlopeTier::Pair => slope::shared(SlopeTier::Pair),
+        Lengths::Ten => slope::shared(SlopeTier::Pair),
     }
 }
 
@@ -161,7 +209,7 @@ how far slopes are from a normal distribution of that mean and covariance. That 
 pub(crate) const GIVEN: &str = ", view: vec3f";
 
 /// `NAME_steepness` with a body.
-pub(crate) fn glue(name: &str, map: &ColorMap, tier: SlopeTier, parameters: &str, body: &str) -> String {
+pub(crate) fn glue(name: &str, map: &ColorMap, tier: Lengths, parameters: &str, body: &str) -> String {
     format!(
         "/// Mean color of `{name}` over the slopes that are seen,
 /// by {}.
@@ -175,7 +223,7 @@ pub(crate) fn glue(name: &str, map: &ColorMap, tier: SlopeTier, parameters: &str
 fn {name}_steepness(mean_slope: vec2f, slope_covariance: vec3f{GIVEN}{parameters}) -> {} {{
 {}{body}}}
 ",
-        label(tier),
+        tier.label(),
         color_type(map.channels()),
         statements(&shared(tier))
     )

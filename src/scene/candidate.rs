@@ -14,7 +14,7 @@ use crate::filter::irradiance::IrradianceTier;
 use crate::filter::slope::SlopeTier;
 use crate::filter::slope_map::SlopeTaps;
 use crate::filter::texture::{color_type, Filter};
-use crate::filter::{Kernel, Tier};
+use crate::filter::{steepness::Lengths, Kernel, Tier};
 use crate::module::Export;
 use crate::shader::Shader;
 use crate::table::{Sampling, Table};
@@ -33,9 +33,10 @@ const NODES: [&str; 2] = ["lit", "radiance"];
 /// The shelf's loops over the two sides of a mean slope.
 const SIDES: [&str; 4] = ["rice_five", "slope_map_five", "slope_map_seven", "slope_map_nine"];
 
-/// The shelf's loops over the waves and the corners of patterns, footprints narrower than 0.03 periods take more waves,
-/// and over the edges of a cell in space.
-const FIXED: [(&str, usize); 5] = [
+/// The shelf's loops over parts of slopes, over the waves and the corners of patterns, footprints narrower than 0.03
+/// periods take more waves, and over the edges of a cell in space.
+const FIXED: [(&str, usize); 6] = [
+    ("rice_three", 3),
     ("crossing_waves", 16),
     ("crossing_corners", 4),
     ("pulse_waves", 4),
@@ -59,7 +60,7 @@ pub(super) enum Over {
     /// Slopes that are seen, from a table.
     SlopeMap(SlopeTier, SlopeTaps),
     /// Lengths of slopes that are seen.
-    Steepness(SlopeTier),
+    Steepness(Lengths),
     /// Normals that are seen.
     Normals(IrradianceTier),
 }

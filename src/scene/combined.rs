@@ -18,6 +18,7 @@ use crate::filter::height::{surface, HeightTier};
 use crate::filter::irradiance::{irradiance, IrradianceTier};
 use crate::filter::shared::{statements, Shared};
 use crate::filter::slope::{self, SlopeTier};
+use crate::filter::steepness::Lengths;
 use crate::filter::texture::{color_type, number, Filter};
 use crate::module::Module;
 use crate::table::Table;
@@ -192,7 +193,7 @@ impl Combined<'_> {
         let mut node: String = sloped.map(Layer::node_statement).collect();
         let lit = if self.four { format!("({}).xyz", self.color) } else { self.color.clone() };
         let _ = write!(node, "        let c = {lit};\n        let l = {facet};\n");
-        let steep = |layer: &Layer<'_>| matches!(layer.chosen.over, Over::Steepness(SlopeTier::Gaussian));
+        let steep = |layer: &Layer<'_>| matches!(layer.chosen.over, Over::Steepness(Lengths::One));
         joint(mean, &node, color, self.layers.iter().filter(|layer| layer.slopes()).all(steep))
     }
 

@@ -173,7 +173,7 @@ impl Scene {
             Over::Slopes(tier) => (self.slope_tier.map(|_| "slopes"), tier != SlopeTier::Naive),
             Over::SlopeMap(SlopeTier::Naive, _) => (self.slope_tier.map(|_| "slopes"), false),
             Over::SlopeMap(..) => (self.slope_tier.and(self.slope_taps).map(|_| "slopes"), false),
-            Over::Steepness(_) => (self.slope_tier.map(|_| "slopes"), false),
+            Over::Steepness(_) => (self.slope_tier.map(|_| "slopes").or(self.slope_taps.map(|_| "slopes")), false),
             Over::Normals(_) => (self.irradiance_tier.map(|_| "normals"), false),
         };
         let free = match (named, stacked && self.tier.is_none()) {

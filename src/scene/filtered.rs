@@ -138,7 +138,7 @@ impl Scene {
         let alike = self.slope_tier == Some(SlopeTier::Unweighted);
         let slopes = matches!(filtered, F::Slope(_) | F::SlopeMap(_)) || matches!(filtered, F::Steepness(_)) && !alike;
         let slope_tier = self.slope_tier.filter(|_| !slopes);
-        let slope_taps = self.slope_taps.filter(|_| !matches!(filtered, F::SlopeMap(_)));
+        let slope_taps = self.slope_taps.filter(|_| !matches!(filtered, F::SlopeMap(_) | F::Steepness(_)));
         let ranged = mapped || matches!(filtered, F::SlopeMap(_) | F::Steepness(_) | F::Irradiance(_));
         let irradiance_tier = self.irradiance_tier.filter(|_| !matches!(filtered, F::Irradiance(_)));
         let hidden = !heights && !percentiles && self.microsurface != Microsurface::default();

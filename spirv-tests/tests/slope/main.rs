@@ -6,6 +6,7 @@ mod figures;
 mod references;
 mod scenes;
 mod steepness;
+mod steepness_scenes;
 
 use std::error::Error;
 use std::f64::consts::TAU;

@@ -6,7 +6,7 @@ use super::maps::{naive, named};
 use super::slope::{seen, DRAWN, SAMPLE, SOURCE};
 use crate::report::Error;
 use prefilter::reference::steepness;
-use prefilter::{Scene, SlopeTier};
+use prefilter::{Scene, SlopeTaps, SlopeTier};
 
 const MAPS: [&str; 2] = ["terrain", "steps6"];
 
@@ -27,6 +27,7 @@ fn case(name: &str) -> Result<Case, Error> {
         Row::of(Role::Naive, "naive: the mean slope", of(SlopeTier::Naive)?),
         Row::of(Role::Independent, "all slopes alike", of(SlopeTier::Gaussian)?).straight(),
         Row::of(Role::Tier, "one distribution of Rice", of(SlopeTier::Gaussian)?),
+        Row::of(Role::Tier, "three distributions of Rice", scene().slope_taps(SlopeTaps::Three).module()?),
         Row::of(Role::Tier, "ten distributions of Rice", of(SlopeTier::Pair)?),
     ];
     Ok(Case {
