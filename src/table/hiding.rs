@@ -32,7 +32,8 @@ impl Hiding {
         if depth == 0.0 {
             return left;
         }
-        for (left, lambda) in left.iter_mut().zip(self.lambdas).take(count.min(4)).skip(1) {
+        let first = 1..count.clamp(1, 4);
+        for (left, lambda) in left[first.clone()].iter_mut().zip(&self.lambdas[first]) {
             *left = (-lambda * depth).exp();
         }
         if count > 4 {

@@ -3,7 +3,7 @@
 use super::slope_nodes::Node;
 
 /// The Λ at which the share of a node that is hidden is exact.
-const EXACT: [f64; 2] = [0.5, 2.0];
+const EXACT: [f64; 2] = [0.5, 4.0 * 0.5];
 
 /// The spreads that a shader takes.
 const SPREADS: [f64; 2] = [0.02, 64.0];
@@ -18,11 +18,12 @@ pub(super) fn hidden(scale: f64, parts: &[(f64, f64)]) -> Node {
     if weight <= 1e-12 {
         return Node { scale, weight: 0.0, rate: 1.0, spread: 1.0 };
     }
-    let bits = |lambda: f64| {
-        let seen: f64 = parts.iter().map(|(share, rate)| share * (-lambda * rate).exp()).sum();
-        -(seen / weight).ln().min(0.0)
-    };
-    let [less, more] = EXACT.map(bits);
+    // The larger Λ is four times the other.
+    let seen = parts.iter().fold([0.0; 2], |[less, more], (share, rate)| {
+        let left = (-EXACT[0] * rate).exp();
+        [less + share * left, more + share * (left * left) * (left * left)]
+    });
+    let [less, more] = seen.map(|seen| -(seen / weight).ln().min(0.0));
     // ln(1 + Λ spread) at both Λ are as the logarithms of what is left: their ratio falls from 4 to 1 as spread grows.
     let ratio = |spread: f64| (EXACT[1] * spread).ln_1p() / (EXACT[0] * spread).ln_1p();
     let [mut low, mut high] = SPREADS;

@@ -43,30 +43,33 @@ pub(super) fn step_error(surface: &Transferred, nodes: &[Node; 4], steepest: f64
 /// The shares in sight below each edge on either side of 0, for each view.
 fn below(shares: &Shares, edges: &[f64], seen: impl Fn(f64, usize) -> f64) -> Vec<f64> {
     let ends = |deviation: f64, edge: f64| normal::below(edge / deviation.max(1e-12));
-    let known: Vec<Vec<[f64; 2]>> =
-        shares.iter().map(|share| edges.iter().map(|&edge| ends(share.0, edge)).collect()).collect();
+    // Of each share the probability below an edge, and its density there in deviations.
+    let of_share = |edge: f64| {
+        shares.iter().map(move |share| {
+            let [probability, density] = ends(share.0, edge);
+            [probability, share.0 * density]
+        })
+    };
+    let known: Vec<Vec<[f64; 2]>> = edges.iter().map(|&edge| of_share(edge).collect()).collect();
     let view = |degrees: f64| {
         let (sin, cos) = libm::sincos(degrees.to_radians());
         // E[max(t, 0)] of t = cos − sin · slope, over slopes below an edge or below where they face away.
         let horizon = cos / sin.max(1e-12);
-        let part = |deviation: f64, [probability, density]: [f64; 2]| cos * probability + sin * deviation * density;
-        let areas: Vec<f64> = shares.iter().map(|share| part(share.0, ends(share.0, horizon))).collect();
+        let areas: Vec<f64> = of_share(horizon).map(|[below, density]| cos * below + sin * density).collect();
         let whole: f64 = shares.iter().zip(&areas).map(|(share, area)| share.1 * area).sum();
         let lambda = (whole / (cos * shares.iter().map(|share| share.1).sum::<f64>()) - 1.0).max(0.0);
         let weights: Vec<f64> = shares.iter().enumerate().map(|(index, share)| share.1 * seen(lambda, index)).collect();
+        let weight: f64 = weights.iter().sum();
         let all: f64 = weights.iter().zip(&areas).map(|(weight, area)| weight * area).sum();
-        let below = |(number, &edge): (usize, &f64)| {
-            let each = (0..shares.len()).map(|index| {
-                let [probability, density] = known[index][number];
-                let [lower, upper] =
-                    [1.0 - probability, probability].map(|below| part(shares[index].0, [below, density]));
-                let upper = if edge < horizon { upper } else { areas[index] };
-                [lower, upper].map(|area| weights[index] * area)
-            });
-            let [lower, upper] = each.fold([0.0; 2], |sum, each| [sum[0] + each[0], sum[1] + each[1]]);
-            [lower / all, upper / all]
+        let below = |(known, &edge): (&Vec<[f64; 2]>, &f64)| {
+            let sum = |[below, dense]: [f64; 2], (weight, [probability, density]): (&f64, &[f64; 2])| {
+                [below + weight * probability, dense + weight * density]
+            };
+            let [below, density] = weights.iter().zip(known).fold([0.0; 2], sum);
+            let [lower, upper] = [weight - below, below].map(|below| cos * below + sin * density);
+            [lower / all, if edge < horizon { upper / all } else { 1.0 }]
         };
-        edges.iter().enumerate().flat_map(below).collect::<Vec<_>>()
+        known.iter().zip(edges).flat_map(below).collect::<Vec<_>>()
     };
     VIEWS.into_iter().flat_map(view).collect()
 }
