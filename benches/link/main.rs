@@ -1,5 +1,5 @@
 //! How long does a scene take to become a validated module, and modules to be linked and written as SPIR-V? Fails above
-//! 5 ms, and where all tables of a scene with all filters take above 400 ms.
+//! 5 ms, and where all tables of a scene with all filters take above 300 ms.
 //!
 //! What is measured is the processor's time, that of all threads together: as long as one core takes. It is stated for
 //! the median run and for the fastest, which nothing disturbed and which has to be within the limit.
@@ -11,8 +11,8 @@ use prefilter::{ColorMap, Error, Kernel, Module, Scene, Tier};
 use rustix::time::{clock_gettime, ClockId};
 
 const LINKED: f64 = 5e-3;
-/// Four times what is asked for, 100 ms, and half as much again as is measured: for what gets worse unseen.
-const BAKED: f64 = 0.4;
+/// Three times what is asked for, 100 ms, and twice what is measured: for what gets worse unseen.
+const BAKED: f64 = 0.3;
 const RUNS: usize = 101;
 const BAKED_RUNS: usize = 7;
 

@@ -10,7 +10,7 @@ use super::grid::{Axis, Spacing};
 use super::lattice::{half_rounded, rows, Lattice};
 use super::rule::rule;
 use super::slope_hiding::hidden;
-use super::slope_steps::step_error;
+use super::slope_steps::error;
 use super::Table;
 use crate::reference::slope_nodes::{Ends, Part, Transferred};
 use crate::transfer::height_transfer::HeightTransfer;
@@ -28,13 +28,27 @@ const LEVEL: f64 = 1e-9;
 const PARTS: usize = 16;
 
 /// The ends of such parts.
-fn ends() -> &'static Ends {
+pub(super) fn ends() -> &'static Ends {
     static ENDS: OnceLock<Ends> = OnceLock::new();
     ENDS.get_or_init(|| Ends::even(PARTS))
 }
 
+/// Values of f this many deviations from the mean do not occur.
+const FAR: f64 = 8.0;
+
+/// The node of ground that is level everywhere.
+fn level() -> Node {
+    static LEVEL: OnceLock<Node> = OnceLock::new();
+    *LEVEL.get_or_init(|| {
+        let surface = Transferred::between(ends(), [0.0, 1.0], &[], |_| 0.0, |_| 0.0);
+        let rates = surface.rates(FOLLOWS);
+        let parts: Vec<(f64, f64)> = surface.parts.iter().map(|part| part.share).zip(rates).collect();
+        hidden(0.0, &parts)
+    })
+}
+
 /// What is stored of the nodes, a slice each.
-const SLICES: usize = 4;
+pub(super) const SLICES: usize = 4;
 
 /// One node.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -67,7 +81,7 @@ impl Nodes<'_> {
     }
 
     /// The same between ends that are known.
-    fn between(&self, ends: &Ends, mean: f64, deviation: f64) -> Transferred {
+    pub(super) fn between(&self, ends: &Ends, mean: f64, deviation: f64) -> Transferred {
         let curve = self.curve;
         Transferred::between(ends, [mean, deviation], &self.breaks(), |f| curve.height(f), |f| curve.slope(f))
     }
@@ -83,8 +97,23 @@ impl Nodes<'_> {
         self.curve.pieces().unwrap_or_default().iter().any(Piece::is_level)
     }
 
+    /// Whether the curve is level over all values of a normal f that occur.
+    fn is_level(&self, mean: f64, deviation: f64) -> bool {
+        let [low, high] = [mean - FAR * deviation, mean + FAR * deviation];
+        let mut within =
+            self.curve.pieces().unwrap_or_default().iter().filter(|piece| piece.from < high && piece.to > low);
+        deviation > 0.0 && self.has_level() && within.all(Piece::is_level)
+    }
+
     /// The nodes over a normal f; those that are not needed have the weight 0.
     pub fn over(&self, mean: f64, deviation: f64) -> [Node; 4] {
+        if self.is_level(mean, deviation) {
+            let beside = Node { scale: self.nearest_scale(mean), spread: 1.0, rate: 1.0, weight: 0.0 };
+            let mut nodes = [beside; 4];
+            nodes[0] = level();
+            nodes[self.count..].iter_mut().for_each(|node| node.scale = 0.0);
+            return nodes;
+        }
         let surface = self.between(ends(), mean, deviation);
         let rates = surface.rates(FOLLOWS);
         let steepest = surface.parts.iter().map(|part| part.scale.abs()).fold(0.0, f64::max);
@@ -150,9 +179,6 @@ impl Nodes<'_> {
     }
 }
 
-/// Columns and rows between which a table is judged: one in so many.
-const JUDGED: [usize; 2] = [3, 4];
-
 /// The table of the nodes: columns are means of f, rows its deviations, slices scales, weights, rates and spreads.
 ///
 /// Its error is the largest that a step over the slopes in sight was measured to be off, at any view above 85 degrees
@@ -178,43 +204,28 @@ pub fn table(nodes: Nodes<'_>, means: Axis, deviations: Axis, name: &str) -> Tab
     lattice.table(name, texels, error)
 }
 
-/// The largest step error between the texels.
-fn error(nodes: Nodes<'_>, lattice: Lattice, texels: &[f32]) -> f32 {
-    let Lattice([means, deviations, _]) = lattice;
-    let few = Ends::even(1);
-    let square = |row: usize| {
-        let deviation = deviations.value(row as f64);
-        let of = |column: usize| nodes.between(&few, means.value(column as f64), deviation);
-        let squares = (0..means.count).map(|column| of(column).average(|part| part.scale * part.scale));
-        vec![squares.fold(0.0, f64::max) as f32]
-    };
-    let steepest = f64::from(rows(deviations.count, square).into_iter().fold(0.0, f32::max)).sqrt();
-    let column = means.value(1.0) - means.value(0.0);
-    let halves = (1..2 * deviations.count - 1).rev().map(|half| deviations.value(0.5 * half as f64));
-    let lines: Vec<f64> = halves.filter(|&deviation| deviation >= column).step_by(JUDGED[1]).chain([column]).collect();
-    let worst = |line: usize| {
-        let columns = (line % JUDGED[0]..means.count - 1).step_by(JUDGED[0]).map(|cell| means.value(cell as f64 + 0.5));
-        let errors = columns.map(|mean| {
-            let slices: [[f64; 4]; SLICES] =
-                std::array::from_fn(|slice| lattice.filtered(texels, [mean, lines[line], slice as f64]));
-            let [scales, weights, rates, spreads] = slices;
-            let read = std::array::from_fn(|node| Node {
-                scale: scales[node],
-                weight: weights[node],
-                rate: rates[node],
-                spread: spreads[node],
-            });
-            step_error(&nodes.between(ends(), mean, lines[line]), &read, steepest)
-        });
-        vec![errors.fold(0.0, f64::max) as f32]
-    };
-    rows(lines.len(), worst).into_iter().fold(0.0, f32::max)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::table::slope_hiding::FASTEST;
+    use crate::table::slope_steps::step_error;
+
+    /// Where all is level a single node stands for it, as the parts' own would.
+    #[test]
+    fn level_ground_is_one_node() -> Result<(), crate::Error> {
+        let curve = HeightTransfer::smoothstep(0.0, 1.0)?;
+        let nodes = Nodes { curve: &curve, count: 3, signed: false };
+        let (level, surface) = (nodes.over(-0.81, 0.1), nodes.surface(PARTS, -0.81, 0.1));
+        let parts: Vec<(f64, f64)> = surface.parts.iter().map(|part| part.share).zip(surface.rates(FOLLOWS)).collect();
+        let truth = hidden(0.0, &parts);
+        assert!(
+            (level[0].rate - truth.rate).abs() < 1e-9 && (level[0].spread - truth.spread).abs() < 1e-9,
+            "{level:?}"
+        );
+        assert!((level[0].weight - 1.0).abs() < 1e-12 && level[0].scale == 0.0, "{level:?}");
+        assert!(level[1..].iter().all(|node| node.weight == 0.0), "{level:?}");
+        Ok(())
+    }
 
     /// What the notes behind the crate have as Gauss's rule of |g′|, for a surface of which a third is level: the step
     /// at the slope 0 is off by up to half of it, however many nodes there are.

@@ -1,8 +1,9 @@
 //! How far steps over the slopes in sight of a transferred surface are, by nodes, from those by all its parts.
 
+use super::lattice::{rows, Lattice};
 use super::normal;
-use super::slope_nodes::{Node, FOLLOWS};
-use crate::reference::slope_nodes::{Part, Transferred};
+use super::slope_nodes::{ends, Node, Nodes, FOLLOWS, SLICES};
+use crate::reference::slope_nodes::{Ends, Part, Transferred};
 
 /// Degrees of the views from the normal.
 const VIEWS: [f64; 4] = [0.0, 45.0, 75.0, 85.0];
@@ -20,6 +21,42 @@ const NOTHING: f64 = 1e-8;
 
 /// Shares of the surface with their scales.
 type Shares = Vec<(f64, f64)>;
+
+/// Columns and rows between which a table is judged: one in so many.
+const JUDGED: [usize; 2] = [3, 4];
+
+/// The largest step error between the texels.
+pub(super) fn error(nodes: Nodes<'_>, lattice: Lattice, texels: &[f32]) -> f32 {
+    let Lattice([means, deviations, _]) = lattice;
+    let few = Ends::even(1);
+    let square = |row: usize| {
+        let deviation = deviations.value(row as f64);
+        let of = |column: usize| nodes.between(&few, means.value(column as f64), deviation);
+        let squares = (0..means.count).map(|column| of(column).average(|part| part.scale * part.scale));
+        vec![squares.fold(0.0, f64::max) as f32]
+    };
+    let steepest = f64::from(rows(deviations.count, square).into_iter().fold(0.0, f32::max)).sqrt();
+    let column = means.value(1.0) - means.value(0.0);
+    let halves = (1..2 * deviations.count - 1).rev().map(|half| deviations.value(0.5 * half as f64));
+    let lines: Vec<f64> = halves.filter(|&deviation| deviation >= column).step_by(JUDGED[1]).chain([column]).collect();
+    let worst = |line: usize| {
+        let columns = (line % JUDGED[0]..means.count - 1).step_by(JUDGED[0]).map(|cell| means.value(cell as f64 + 0.5));
+        let errors = columns.map(|mean| {
+            let slices: [[f64; 4]; SLICES] =
+                std::array::from_fn(|slice| lattice.filtered(texels, [mean, lines[line], slice as f64]));
+            let [scales, weights, rates, spreads] = slices;
+            let read = std::array::from_fn(|node| Node {
+                scale: scales[node],
+                weight: weights[node],
+                rate: rates[node],
+                spread: spreads[node],
+            });
+            step_error(&nodes.between(ends(), mean, lines[line]), &read, steepest)
+        });
+        vec![errors.fold(0.0, f64::max) as f32]
+    };
+    rows(lines.len(), worst).into_iter().fold(0.0, f32::max)
+}
 
 /// The largest difference over all views and edges between nodes and parts, `steepest` being the root of the mean g′²
 /// where that is largest.
