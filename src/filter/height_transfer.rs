@@ -60,6 +60,10 @@ pub(crate) struct Nodes {
     pub means: [f32; 3],
     /// The deviation of f on the last row, and the rows.
     pub deviations: [f32; 2],
+    /// The nodes that may count.
+    count: usize,
+    /// Whether the first is that of level ground.
+    has_level: bool,
 }
 
 /// The slices of the table of nodes.
@@ -68,7 +72,7 @@ const SLICES: [&str; 4] = ["scales", "weights", "rates", "spreads"];
 impl Nodes {
     /// The statements that read the first slices, by `mean` and `deviation` of f.
     pub fn read(&self, slices: usize) -> String {
-        let Self { table: Table { name, .. }, means: [low, high, columns], deviations: [most, rows] } = self;
+        let Self { table: Table { name, .. }, means: [low, high, columns], deviations: [most, rows], .. } = self;
         let [low, high, columns, most, rows] = [low, high, columns, most, rows].map(|value| number(*value));
         let (x, y) = (
             format!("grid_linear(mean, {low}, {high}, {columns})"),
@@ -99,6 +103,27 @@ impl Nodes {
     return max(dot(weights, slope_nodes_rises(view, mean_slope, scales) + averted), 1e-20);
 ",
             self.read(2)
+        )
+    }
+}
+
+impl Nodes {
+    /// The function `NAME_lambda`, Λ of a direction over all nodes of slopes that have no mean. Level ground hides
+    /// nothing.
+    pub fn lambda(&self, name: &str) -> String {
+        let steep = ["x", "y", "z", "w"].into_iter().take(self.count).skip(usize::from(self.has_level));
+        let hiding = |node: &str| format!("weights.{node} * slope_nodes_hiding(ratio, scales.{node})");
+        let all: Vec<String> = steep.map(hiding).collect();
+        format!(
+            "
+/// Smith's Λ of a direction over all slopes of `{name}`.
+fn {name}_lambda(direction: vec3f, slope_covariance: vec3f, scales: vec4f, weights: vec4f) -> f32 {{
+    let ratio = slope_nodes_ratio(direction, slope_covariance);
+    let lambda = {};
+    return select(lambda, 2.0 * smith_horizon, ratio <= 0.0);
+}}
+",
+            all.join("\n        + ")
         )
     }
 }
@@ -152,8 +177,10 @@ impl Nodes {
         let means = Axis { low: low.into(), high: high.into(), count: columns, spacing: Spacing::Linear };
         let deviations = Axis { low: 0.0, high: deviation.into(), count: rows, spacing: Spacing::CubeRoot };
         let signed = tilted && !curve.is_monotone();
-        let table =
-            slope_nodes::table(slope_nodes::Nodes { curve, count: tier.nodes(), signed }, means, deviations, "nodes");
-        Self { table, means: [low, high, columns as f32], deviations: [deviation, rows as f32] }
+        let count = tier.nodes();
+        let nodes = slope_nodes::Nodes { curve, count, signed };
+        let has_level = nodes.has_level();
+        let table = slope_nodes::table(nodes, means, deviations, "nodes");
+        Self { table, means: [low, high, columns as f32], deviations: [deviation, rows as f32], count, has_level }
     }
 }

@@ -1,6 +1,6 @@
 //! The stage between driver and filter: filters of the heights h = g(f), of the statistics of f.
 
-use super::candidate::{cost, once_each, parameters, Turns};
+use super::candidate::{arguments, cost, once_each, parameters, Turns};
 use super::stage::{Moments, Stage};
 use super::Scene;
 use crate::accuracy::{Accuracy, Bound, Ranges};
@@ -217,14 +217,15 @@ impl Scene {
     fn of_nodes(&self, map: &ColorMap, curve: &HeightTransfer, stage: &Stage, nodes: &Nodes) -> Result<Exports, Error> {
         self.check_heights()?;
         let (name, surface) = (&self.name, self.microsurface);
-        let moments = stage.moments_of("mean", "deviation");
+        let heights = format!("{name}_narrow(mean, deviation{})", arguments(&stage.moments.tables));
         let Transferred { filter, level, narrow } =
-            transferred::transferred(name, map, self.colors, curve, surface, &moments)?;
+            transferred::transferred(name, map, self.colors, curve, surface, &heights)?;
         let own = parameters(std::slice::from_ref(&nodes.table));
         let all = parameters(&filter.tables) + &parameters(&stage.moments.tables) + &own;
+        let hiding = if surface.mean_slope { String::new() } else { nodes.lambda(name) };
         Ok(Exports {
             glue: transferred::glue(name, map, surface, nodes, &filter.body, [&all, &own]),
-            behind: level,
+            behind: transfer::narrow(name, curve) + &level + &hiding,
             tables: filter.tables,
             turns: self.turns(filter.trips),
             bound: filter.bound,

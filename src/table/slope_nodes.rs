@@ -93,7 +93,7 @@ impl Nodes<'_> {
     }
 
     /// Whether the curve has level pieces, for which the first node is kept.
-    fn has_level(&self) -> bool {
+    pub(crate) fn has_level(&self) -> bool {
         self.curve.pieces().unwrap_or_default().iter().any(Piece::is_level)
     }
 

@@ -60,3 +60,39 @@ fn transfer_power(mean: f32, deviation: f32, exponent: f32, transfer: texture_2d
     let slopes = clamp(power / size * read.zw, vec2f(0.0), vec2f(1e17));
     return vec4f(select(heights.x, -heights.x, m < 0.0), heights.y * heights.y, slopes.x, slopes.y * slopes.y);
 }
+
+/// Four values that stand for a normal f.
+///
+/// Source: the rule of Gauss and Hermite of four nodes, ±√(3 ∓ √6).
+/// Domain: mean in [-2, 2], deviation log in [1e-4, 1].
+/// Error: 4e-7 absolute; f32 rounding of values up to 4.4.
+fn transfer_places(mean: f32, deviation: f32) -> vec4f {
+    return mean + deviation * vec4f(-2.33441422, -0.741963784, 0.741963784, 2.33441422);
+}
+
+/// A cubic of four values, by its coefficients of 1, x, x² and x³.
+///
+/// Source: the definition, by Horner's rule.
+/// Domain: at in [-2, 2], coefficients in [-1, 1].
+/// Error: 4e-7 of 1 + the result; f32 rounding.
+fn transfer_cubic(at: vec4f, coefficients: vec4f) -> vec4f {
+    let c = coefficients;
+    let x = clamp(at, vec4f(-1e5), vec4f(1e5));
+    return c.x + x * (c.y + x * (c.z + x * c.w));
+}
+
+/// Mean and deviation of the heights of a narrow normal f, from those at `transfer_places`.
+///
+/// Exact for cubics, as which a curve counts over few deviations. At a crease mean and deviation are up to 0.06 and
+/// 0.08 deviations of f off, times the change of the slope.
+///
+/// Source: the rule's weights, (3 ± √6)/12.
+/// Domain: heights in [-1, 1].
+/// Error: 2e-7 absolute; f32 rounding.
+fn transfer_heights(heights: vec4f) -> vec2f {
+    let weights = vec4f(0.0458758548, 0.454124145, 0.454124145, 0.0458758548);
+    let h = clamp(heights, vec4f(-1e16), vec4f(1e16));
+    let mean = dot(weights, h);
+    let apart = h - mean;
+    return vec2f(mean, sqrt(dot(weights, apart * apart)));
+}

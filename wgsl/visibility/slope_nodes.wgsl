@@ -79,3 +79,27 @@ fn slope_nodes_shares(
     let shares = select(facing * exp2(-min(each - least, vec4f(120.0))), whole, least >= 1e9);
     return shares / max(dot(shares, vec4f(1.0)), 1e-18);
 }
+
+/// The visibility parameter of a direction over slopes that have no mean, by their covariance at the scale 1: 0 at or
+/// below the horizon.
+///
+/// At most 1e9.
+///
+/// Source: as `smith_parameter_level`, whose limit of 10 a steep node would divide.
+/// Domain: direction unit, covariance psd(0.1, 2, 0.9).
+/// Error: 1.5e-6 relative; f32 rounding at the largest correlation.
+fn slope_nodes_ratio(direction: vec3f, covariance: vec3f) -> f32 {
+    let variance = clamp(smith_variance(direction.xy, covariance), 5e-38, 1e30);
+    return clamp(direction.z * inverseSqrt(2.0 * variance), 0.0, 1e9);
+}
+
+/// What a node of such slopes adds to Smith's Λ of all nodes, for a unit of its weight.
+///
+/// `ratio` is by `slope_nodes_ratio`. At or below the horizon it is beyond `smith_horizon`.
+///
+/// Source: the definition, averted area over the rise, by `smith_lambda_fast`.
+/// Domain: ratio log in [1e-3, 100], scale in [0.01, 10].
+/// Error: 9e-5 of 1 + the result; that of `smith_lambda_fast`.
+fn slope_nodes_hiding(ratio: f32, scale: f32) -> f32 {
+    return smith_lambda_fast(ratio / max(abs(scale), 1e-18));
+}

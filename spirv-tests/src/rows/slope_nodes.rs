@@ -2,6 +2,7 @@
 
 use prefilter::reference::slope_nodes::bits;
 use prefilter::reference::slopes::standard::weight;
+use prefilter::reference::smith::{lambda, Along};
 
 use super::Row;
 
@@ -71,5 +72,15 @@ pub(super) fn rows() -> Vec<Row> {
             seen.map(|share| share / sum)
         })
         .only_where(faces),
+        Row::new("slope_nodes_ratio", |x| {
+            let (&[x, y, z], covariance) = (&[x[0], x[1], x[2]], [x[3], x[4], x[5]]);
+            [Along::new([x, y, z], covariance, [0.0; 2]).parameter().clamp(0.0, 1e9)]
+        })
+        .at([
+            [0.6, 0.0, 0.8, 1.0, 0.0, 1.0],
+            [0.8, 0.6, 1e-6, 1.0, -0.4, 0.25],
+            [0.0, 0.0, 1.0, 1.0, -0.4, 0.25],
+        ]),
+        Row::new("slope_nodes_hiding", |x| [lambda(x[0] / x[1])]).at([[2.2, 1.0], [0.5, 0.1]]),
     ]
 }

@@ -33,10 +33,33 @@ fn power() -> Row {
     Row::new("transfer_power", move |x| of(&curve, x)).table(tables[0].clone(), Address::Clamp)
 }
 
+/// Nodes of Gauss and Hermite's rule of four, the roots of x⁴ − 6 x² + 3, with their weights.
+fn rule() -> [[f64; 2]; 4] {
+    let root = 6f64.sqrt();
+    let node = |square: f64| [square.sqrt(), (6.0 - square) / 12.0];
+    let [[near, more], [far, less]] = [node(3.0 - root), node(3.0 + root)];
+    [[-far, less], [-near, more], [near, more], [far, less]]
+}
+
+/// The three functions of narrow footprints.
+fn narrow() -> [Row; 3] {
+    [
+        Row::new("transfer_places", |x| rule().map(|[node, _]| x[0] + x[1] * node)),
+        Row::new("transfer_cubic", |x| {
+            std::array::from_fn::<f64, 4, _>(|at| (0..4).map(|power| x[4 + power] * x[at].powi(power as i32)).sum())
+        }),
+        Row::new("transfer_heights", |x| {
+            let mean: f64 = rule().iter().zip(x).map(|([_, weight], height)| weight * height).sum();
+            let square = |([_, weight], height): (&[f64; 2], &f64)| weight * (height - mean) * (height - mean);
+            [mean, rule().iter().zip(x).map(square).sum::<f64>().sqrt()]
+        }),
+    ]
+}
+
 pub(super) fn rows() -> Vec<Row> {
     let surface = |x: &[f64]| {
         let [x_mean, y_mean, xx, xy, yy] = slopes([x[2], x[3]], [x[4], x[5]], [x[6], x[7], x[8]]);
         [x[0], x[1], 0.0, 0.0, x_mean, y_mean, xx, xy, yy]
     };
-    vec![Row::new("transfer_surface", surface), table(), power()]
+    [Row::new("transfer_surface", surface), table(), power()].into_iter().chain(narrow()).collect()
 }

@@ -3,6 +3,7 @@
 mod curve;
 mod fields;
 mod moments;
+mod narrow;
 
 use prefilter::{Error, HeightTransfer};
 

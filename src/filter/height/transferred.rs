@@ -37,7 +37,7 @@ pub(crate) struct Transferred {
     pub narrow: f32,
 }
 
-/// The filter of a map; `transferred` is the expression of mean and variance of h.
+/// The filter of a map; `narrow_heights` is the expression of mean and deviation of h over narrow footprints.
 ///
 /// # Errors
 /// As of [`tails`].
@@ -47,7 +47,7 @@ pub(crate) fn transferred(
     colors: Colors,
     curve: &HeightTransfer,
     surface: Microsurface,
-    transferred: &str,
+    narrow_heights: &str,
 ) -> Result<Transferred, Error> {
     let ranges = Ranges::of_transfer(curve);
     let reference = map.reference();
@@ -77,8 +77,8 @@ pub(crate) fn transferred(
         return wide;
     }}
     // The curve is nearly a line over the footprint, whose heights are nearly normal.
-    let h = {transferred};
-    return mix({name}_level(h.x + {above}, sqrt(h.y), {}{arguments}), wide, part);
+    let h = {narrow_heights};
+    return mix({name}_level(h.x + {above}, h.y, {}{arguments}), wide, part);
 ",
         read([means, deviations], lambda(surface)),
         given[0]
@@ -128,8 +128,12 @@ pub(crate) fn glue(
     body: &str,
     tables: [&str; 2],
 ) -> String {
-    let mean_slope = if surface.mean_slope { "mean_slope" } else { "vec2f()" };
-    let shared = shared_by(surface, &|direction| height_transfer::lambda(direction, mean_slope));
+    let shared = shared_by(surface, &|direction| {
+        if surface.mean_slope {
+            return height_transfer::lambda(direction, "mean_slope");
+        }
+        format!("{name}_lambda({direction}, slope_covariance, scales, weights)")
+    });
     let (light, who) = if surface.shadowing { (", light: vec3f", "seen and lit") } else { ("", "seen") };
     let (before, [all, own]) = (nodes.read(2), tables);
     let height = format!(
