@@ -12,6 +12,22 @@ const LARGEST: f32 = crate::transfer::color_map::MAX_COLOR;
 /// Means and deviations are at most 65504 either way, the range of means at least 0.001 wide and the largest deviation
 /// at least 0.001; [`Scene::module`](crate::Scene::module) refuses others. Bounds hold from a deviation of 1e-6, as
 /// which smaller ones count.
+///
+/// # Beyond the ranges
+/// Colors stay in the hull of the map's whatever the inputs are. What an input counts as is where a bound goes on:
+/// * Deviations of values and heights that are larger count as the largest.
+/// * A component of the slope that deviates more counts as drawn together about the middle of the map until it
+///   deviates by the largest: the shares to either side of that middle stay. The share beyond an edge at t is off by up
+///   to 0.61 |t − middle| over the largest deviation, for views above the horizon.
+/// * Λ of view and light together count as 1e4 where more hides a height.
+/// * Below the least deviation that [`Module::explain`](crate::Module::explain) states of heights and of components of
+///   slopes, colors are those of means within 7e-6 of the largest mean.
+///
+/// No bound goes on for means beyond these, for slopes of correlations beyond 0.9, for Λ beyond what is covered where a
+/// curve makes heights, nor for maps of the whole slope, steepness and irradiance beyond their deviations. Moments that
+/// rounding leaves a little below 0, or correlated a little beyond 1, count as the nearest that there are. WGSL says
+/// nothing of inputs that are infinite or no numbers; where it was tried, they left colors in the hull, too.
+/// `spirv-tests/tests/hard_cases.rs` asks for all that.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Ranges {

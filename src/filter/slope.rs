@@ -10,7 +10,7 @@
 use super::envelope::{largest_error, Envelope};
 use super::height::variation;
 use super::shared::{statements, Shared};
-use super::texture::{color_type, Filter};
+use super::texture::{color_type, number, Filter};
 use crate::accuracy::Ranges;
 use crate::transfer::color_map::ColorMap;
 
@@ -132,6 +132,12 @@ pub(crate) fn texture_ranges(tier: SlopeTier, ranges: Ranges) -> Ranges {
     Ranges { mean: (low - beyond, high + beyond), ..ranges }
 }
 
+/// The middle of the map, about which slopes are drawn together whose component deviates by more than the ranges say.
+fn middle(map: &ColorMap) -> f32 {
+    let knots = map.knots();
+    0.5 * knots[0].position + 0.5 * knots[knots.len() - 1].position
+}
+
 /// The factor of the covariance and what of the scalar u a tier needs.
 pub(crate) fn shared(tier: SlopeTier) -> Vec<Shared> {
     let factor = Shared::new("factor", "vec4f", "slopes_factor(view, slope_covariance)");
@@ -153,19 +159,26 @@ pub(crate) fn over(
     arguments: &str,
 ) -> Filter {
     let colored = |of: &str| format!("{name}_texture({of}.x, {of}.y{arguments})");
+    let (middle, most) = (number(middle(map)), number(ranges.deviation));
+    let narrowed = |part: &str| format!("texture_narrowed({part}, whole, {middle}, {most})");
     let along = |mean: &str, variance: &str| format!("slopes_along(direction, mean_slope, factor, {mean}, {variance})");
+    let visible = |mean: &str, variance: &str| narrowed(&along(mean, variance));
+    let whole = format!("    let whole = {}.y;\n", along("0.0", "1.0"));
     let body = match tier {
         SlopeTier::Naive => format!("    return {name}_texture(dot(direction, mean_slope), 0.0{arguments});\n"),
         SlopeTier::Unweighted => format!(
-            "    let variance = smith_variance(direction, slope_covariance);\n    let component = \
-             vec2f(dot(direction, mean_slope), sqrt(max(variance, 0.0)));\n    return {};\n",
+            "    let whole = sqrt(max(smith_variance(direction, slope_covariance), 0.0));\n    let component = \
+             {};\n    return {};\n",
+            narrowed("vec2f(dot(direction, mean_slope), whole)"),
             colored("component")
         ),
-        SlopeTier::Gaussian => {
-            format!("    let component = {};\n    return {};\n", along("moments.x", "moments.y"), colored("component"))
-        }
+        SlopeTier::Gaussian => format!(
+            "{whole}    let component = {};\n    return {};\n",
+            visible("moments.x", "moments.y"),
+            colored("component")
+        ),
         SlopeTier::Pair => format!(
-            "    let low = {};
+            "{whole}    let low = {};
     var c = {};
     if parameter < slopes_single {{
         let high = {};
@@ -173,9 +186,9 @@ pub(crate) fn over(
     }}
     return c;
 ",
-            along("pair.x", "pair.y"),
+            visible("pair.x", "pair.y"),
             colored("low"),
-            along("pair.z", "pair.w"),
+            visible("pair.z", "pair.w"),
             colored("high")
         ),
     };

@@ -23,7 +23,8 @@ impl Scene {
     ///
     /// The ranges are those of the component's mean and deviation over all slopes. Bounds are for views above the
     /// horizon of the mean surface, for mean slopes up to 1 or the largest mean, and for deviations of the component
-    /// from a thousandth of that, or from a tenth of the largest deviation where that is less.
+    /// from a thousandth of that, or from a tenth of the largest deviation where that is less. What deviates more than
+    /// the ranges say is drawn together, as [`Ranges`](crate::Ranges) tells.
     ///
     /// ```
     /// use prefilter::{Accuracy, ColorMap, Scene};

@@ -61,6 +61,19 @@ fn texture_ramp(distance: f32, width: f32, deviation: f32) -> f32 {
     return clamp((clamp(distance, 0.0, width) + s * excess) / width, 0.0, 1.0);
 }
 
+/// Mean and deviation of a part of something that deviates by `whole` when all of that is drawn together about `middle`
+/// until it deviates by `most`: the same where it does not deviate more.
+///
+/// A part that lies some of its deviations to one side of all edges still does.
+///
+/// Source: the definition.
+/// Domain: part in [-2, 2], whole log in [0.001, 1000], middle in [-1, 1], most log in [0.001, 1].
+/// Error: 4e-7 absolute; f32 rounding.
+fn texture_narrowed(part: vec2f, whole: f32, middle: f32, most: f32) -> vec2f {
+    let share = clamp(most / max(whole, 1e-18), 0.0, 1.0);
+    return select(part, vec2f(middle + share * (part.x - middle), share * part.y), whole > most);
+}
+
 /// Mean of the map whose knots are the texels of a texture: rows of left colors, right colors and positions, by
 /// position.
 ///

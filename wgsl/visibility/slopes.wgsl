@@ -16,8 +16,8 @@ const slopes_lowest = -12.0;
 
 /// The factors (e, f) of the covariance, e against the view and f across it to its left: s = s̄ + e u + f w.
 ///
-/// Views within 1e-18 of the normal count as it, where e is along −x, covariances beyond 1e18 as 1e18. e eᵀ + f fᵀ is
-/// within 2e-4 tr Σ of every Σ; for a correlation of ρ, f is within 1e-7 / (1 − ρ²) of itself.
+/// Views within 1e-18 of the normal count as it, where e is along −x; covariances are scaled to variances of 1e18 at
+/// most. e eᵀ + f fᵀ is within 2e-4 tr Σ of every Σ; for a correlation of ρ, f is within 1e-7 / (1 − ρ²) of itself.
 ///
 /// Source: the Cholesky factor of Σ along the view: e = −Σ v̂ / √(v̂ᵀ Σ v̂), |f| = √(det Σ / v̂ᵀ Σ v̂).
 /// Domain: view unit, covariance psd(0.1, 2, 0.9).
@@ -26,9 +26,10 @@ fn slopes_factor(view: vec3f, covariance: vec3f) -> vec4f {
     let v = clamp(view.xy, vec2f(-1.0), vec2f(1.0));
     let squared = dot(v, v);
     let toward = select(vec2f(1.0, 0.0), v * inverseSqrt(max(squared, 1e-36)), squared > 1e-36);
-    let c = clamp(covariance.xz, vec2f(), vec2f(1e18));
+    let scaled = covariance * (1e18 / clamp(max(covariance.x, covariance.z), 1e18, 3e38));
+    let c = clamp(scaled.xz, vec2f(), vec2f(1e18));
     let most = sqrt(c.x) * sqrt(c.y);
-    let both = clamp(covariance.y, -most, most);
+    let both = clamp(scaled.y, -most, most);
     let product = vec2f(c.x * toward.x + both * toward.y, both * toward.x + c.y * toward.y);
     let whole = c.x + c.y;
     // v̂ᵀ Σ v̂, with what its terms leave where they cancel, and not below |Σ v̂|² / tr Σ: |e|² is at most tr Σ.
@@ -94,8 +95,7 @@ fn slopes_skewness(parameter: f32) -> f32 {
     let above = 0.63108766 + x * (0.45874601 + x * (0.12286144 + x * 0.015524246));
     let below = 1.0 + x * (0.36044467 + x * (0.08730179 + x * 0.0109773));
     let m = slopes_moments(a);
-    let third = (a + 2.0 * m.x) * (1.0 - m.y) - m.x;
-    return select(third / (m.y * sqrt(m.y)), above / below, a < 0.0);
+    return select(((a + 2.0 * m.x) * (1.0 - m.y) - m.x) / (m.y * sqrt(m.y)), above / below, a < 0.0);
 }
 
 /// Area of the surface in the picture, hidden or not, for a unit of area of the mean plane: E[max(t, 0)].

@@ -35,6 +35,14 @@ fn ramp(x: &[f64]) -> [f64; 1] {
     [value]
 }
 
+/// What lies a deviation to either side of the mean, drawn together.
+fn narrowed(x: &[f64]) -> [f64; 2] {
+    let &[mean, deviation, whole, middle, most] = x else { return [f64::NAN; 2] };
+    let share = if whole > most { most / whole } else { 1.0 };
+    let [low, high] = [mean - deviation, mean + deviation].map(|at| middle + share * (at - middle));
+    [0.5 * (low + high), 0.5 * (high - low)]
+}
+
 /// The map's mean; the first two numbers are the variable's mean and deviation.
 fn colors(map: &ColorMap) -> impl Fn(&[f64]) -> [f64; 4] {
     let map = map.reference();
@@ -100,6 +108,7 @@ pub(super) fn rows() -> Vec<Row> {
         Row::new("texture_kink_fast", kink).at(steps),
         Row::new("texture_step", step).at(steps),
         Row::new("texture_step_fast", step).at(steps),
+        Row::new("texture_narrowed", narrowed).at([[0.3, 0.2, 0.5, 0.1, 0.5], [-0.7, 0.4, 1e3, 0.2, 0.8]]),
         Row::new("texture_ramp", ramp).at(widths).at([[1e-5, 1e-5, 1e-6], [5e-6, 1e-5, 1e-6], [0.25, 0.5, 0.5]]),
     ]
 }

@@ -14,18 +14,18 @@ use spirv_tests::scenes;
 
 use crate::{single, view, Fault, Outcome, Random};
 
-const EXACT: Tier = Tier::ClosedForm(Kernel::Exact);
+pub(crate) const EXACT: Tier = Tier::ClosedForm(Kernel::Exact);
 
-type Call = (Visible, [f64; 2]);
+pub(crate) type Call = (Visible, [f64; 2]);
 
 /// Mean and deviation of the component over all slopes.
-fn component((visible, direction): &Call) -> [f64; 2] {
+pub(crate) fn component((visible, direction): &Call) -> [f64; 2] {
     let mean = direction[0] * visible.mean[0] + direction[1] * visible.mean[1];
     [mean, variance_along(visible.covariance, *direction).sqrt()]
 }
 
 /// Calls within ranges, with deviations down to the scenes' floor, and mean slopes about the map's knots and anywhere.
-fn calls(random: &mut Random, map: &ColorMap, ranges: Ranges, count: usize) -> Vec<Call> {
+pub(crate) fn calls(random: &mut Random, map: &ColorMap, ranges: Ranges, count: usize) -> Vec<Call> {
     let [low, high] = [ranges.mean.0, ranges.mean.1].map(f64::from);
     let floor = 1.01e-3 * low.abs().max(high.abs());
     let mut calls = Vec::new();

@@ -1,5 +1,6 @@
 //! Color by one component of the slope: the reference by two methods, and the shelf's chain on the device against it.
 
+mod beyond;
 mod chain;
 mod driven;
 mod figures;

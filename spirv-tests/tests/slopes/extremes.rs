@@ -101,6 +101,21 @@ fn extreme_inputs_give_finite_slopes() -> Outcome {
     Ok(())
 }
 
+/// Scaled as a whole: a limit on each number by itself would turn any correlation into 1.
+#[test]
+fn huge_slopes_keep_their_shape() -> Outcome {
+    for size in [1.0, 1e18, 1e20, 1e26, 3e38] {
+        let got = run(
+            CHAIN,
+            &[[&[0.48, -0.36, 0.8][..], &single([size, -0.2 * size, 0.5 * size]), &[0.1, 0.2, 1.0, 0.0]].concat()],
+        )?;
+        let [ex, ey, fx, fy] = [0, 1, 2, 3].map(|part| got[0][part]);
+        let [xx, xy, yy] = [ex * ex + fx * fx, ex * ey + fx * fy, ey * ey + fy * fy];
+        assert!((xy / xx + 0.2).abs() <= 1e-6 && (yy / xx - 0.5).abs() <= 1e-6, "{size:e}: {xx:e}, {xy:e}, {yy:e}");
+    }
+    Ok(())
+}
+
 fn one(view: [f64; 3], covariance: [f64; 3], mean_slope: [f64; 2]) -> Result<Vec<f64>, String> {
     let point = [&view[..], &single(covariance), &single(mean_slope), &[1.0, 0.0]].concat();
     Ok(run(CHAIN, &[point])?.remove(0))
