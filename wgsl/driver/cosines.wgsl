@@ -36,7 +36,8 @@ fn cosines_lost(exponent: f32) -> vec2f {
 
 /// One wave of a sum.
 ///
-/// Angles are reduced to a turn first; their rounding is that of k·p, which positions far from the origin feel.
+/// Angles are reduced to a turn first; their rounding is that of k·p, which positions far from the origin feel: a mean
+/// is within 1.2e-6 (|k.x p.x| + |k.y p.y| + |phase|) + 1e-6 amplitudes, whatever the footprint.
 ///
 /// Source: transform of a Gaussian; E[cos²] − E[cos]² and E[sin²] − E[sin]² of one wave, less the part of first order.
 /// Domain: position in [-4, 4], across in [-0.5, 0.5], along in [-0.5, 0.5], wave in [-1, 1].

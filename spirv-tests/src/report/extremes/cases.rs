@@ -25,11 +25,19 @@ pub enum Case {
     Stripes,
     /// Tables and pyramids of 16 bits.
     HalfTables,
+    /// The light where the viewer is.
+    OneDirection,
+    /// Variances below 0 and correlations beyond 1, as differences of sums round.
+    Rounded,
+    /// Images of one texel.
+    OneTexel,
+    /// The largest numbers, infinite ones, and none.
+    NoNumbers,
 }
 
 impl Case {
     /// All of them, in the report's order.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 15] = [
         Self::Grazing,
         Self::BelowHorizon,
         Self::NoDeviation,
@@ -41,6 +49,10 @@ impl Case {
         Self::FarFromOrigin,
         Self::Stripes,
         Self::HalfTables,
+        Self::OneDirection,
+        Self::Rounded,
+        Self::OneTexel,
+        Self::NoNumbers,
     ];
 
     /// Its name in tables.
@@ -57,6 +69,10 @@ impl Case {
             Self::FarFromOrigin => "far from the origin",
             Self::Stripes => "one-texel stripes",
             Self::HalfTables => "tables of halves",
+            Self::OneDirection => "light at the viewer",
+            Self::Rounded => "rounded moments",
+            Self::OneTexel => "images of one texel",
+            Self::NoNumbers => "no numbers",
         }
     }
 
@@ -81,6 +97,13 @@ impl Case {
             }
             Self::Stripes => "a 256th of the map or one texel of an image has another color",
             Self::HalfTables => "eleven bits: tables of colors, moments and nodes that hold halves",
+            Self::OneDirection => "angles between directions cancel: views that are lights, the normal among them",
+            Self::Rounded => {
+                "roots of what is below 0: variances of -1e-9, correlations of 1 + 1e-5, deviations of -1e-9; they \
+                 count as the nearest that there are"
+            }
+            Self::OneTexel => "nothing to interpolate and no next level: images and maps of slopes of one texel",
+            Self::NoNumbers => "whatever a division by 0 leaves: one input of 3.4e38, infinite or NaN, of both signs",
         }
     }
 }

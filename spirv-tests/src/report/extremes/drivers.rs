@@ -45,6 +45,13 @@ const DUTIES: [f32; 2] = [0.3, 1.0 / 256.0];
 /// The side of a cell of Gabor noise.
 const CELL: f64 = 0.8;
 
+/// What a value up to 1 loses as a half, and any mean of such.
+const HALF: f64 = 1.0 / 4096.0;
+
+/// What a covariance of such loses: four of those, of products of two distances up to 1 that are off by twice that, and
+/// a quarter of one of its own.
+const HALF_COVARIANCE: f64 = 4.25 * HALF;
+
 /// The variance of one octave of Perlin's noise.
 const PERLIN: f64 = 0.046_531_150_4;
 
@@ -66,20 +73,21 @@ impl Source {
         }
     }
 
-    /// Whether a case has a meaning: no driver has a view, noise and waves have no edges and no stripes, and only
-    /// pyramids hold halves.
+    /// Whether a case has a meaning: no driver has a view or takes moments, noise and waves have no edges and no
+    /// stripes, and only pyramids hold halves or have texels.
     pub fn meets(self, case: Case) -> bool {
         match case {
-            Case::BelowHorizon => false,
+            Case::BelowHorizon | Case::OneDirection | Case::Rounded => false,
             Case::HardEdges | Case::Stripes => self == Self::Pattern || self.reads(),
-            Case::HalfTables => self.reads(),
+            Case::HalfTables | Case::OneTexel => self.reads(),
             Case::Grazing
             | Case::NoDeviation
             | Case::HugeDeviation
             | Case::NearSingular
             | Case::WideFootprints
             | Case::Denormals
-            | Case::FarFromOrigin => true,
+            | Case::FarFromOrigin
+            | Case::NoNumbers => true,
         }
     }
 
@@ -103,23 +111,36 @@ impl Source {
         })
     }
 
-    /// What the shelf promises of the mean within its domain: not far from the origin, nor of halves.
-    pub fn promise(self, case: Case) -> Result<Option<f64>, String> {
-        if matches!(case, Case::FarFromOrigin | Case::HalfTables) {
-            return Ok(None);
-        }
+    /// How far the shelf's contracts let a mean be from the truth; of waves no contract says it, but the documentation
+    /// of `cosines_wave`.
+    ///
+    /// # Errors
+    /// A message where a contract has no absolute error.
+    pub fn contract(self) -> Result<f64, String> {
         let (function, most) = match self {
             Self::Pattern => ("pulse_train", 1.0),
             Self::Noise => ("perlin_filter", 1.0 / PERLIN.sqrt()),
             Self::Moments => ("moments_read", 1.0),
             Self::FourMoments => ("four_moments_read", 1.0),
             Self::SlopeMoments => ("slope_moments_read", 1.0),
-            // Their functions promise parts of a sum.
-            Self::Gabor | Self::Cosines => return Ok(None),
+            Self::Gabor => ("gabor_noise", 1.0),
+            Self::Cosines => return Ok(0.0),
         };
         match Contract::of(&Function::of_shelf(function)?)?.promise {
-            Promise::Absolute(error) => Ok(Some(error * most)),
-            Promise::Relative(_) | Promise::Mixed(_) | Promise::Exact => Ok(None),
+            Promise::Absolute(error) => Ok(error * most),
+            other => Err(format!("`{function}` promises {other:?}")),
+        }
+    }
+
+    /// How far a mean may be off besides: of halves what they lose, of waves all.
+    ///
+    /// Positions are the device's numbers, and whole parts of far ones are told without rounding by all but waves.
+    pub fn besides(self, case: Case, footprint: &Footprint) -> f64 {
+        match (case, self) {
+            (_, Self::Cosines) => waves().into_iter().map(|wave| rounded(wave, footprint)).sum(),
+            (Case::HalfTables, Self::SlopeMoments) => HALF_COVARIANCE,
+            (Case::HalfTables, _) => HALF,
+            _ => 0.0,
         }
     }
 
@@ -181,6 +202,13 @@ fn waves() -> Vec<Wave> {
     vec![wave([0.8, 0.1], 0.2, 0.3), wave([-1.7, 2.3], 0.1, 0.7), wave([0.3, -0.6], 0.15, 0.05)]
 }
 
+/// How far the mean of a wave may be off, as `cosines_wave` says.
+fn rounded(wave: Wave, footprint: &Footprint) -> f64 {
+    let cosines::Wave { frequency: [x, y], amplitude, phase } = exact(wave);
+    let [across, along, _] = footprint.position;
+    amplitude * (1e-6 + 1.2e-6 * ((x * across).abs() + (y * along).abs() + phase.abs()))
+}
+
 fn exact(wave: Wave) -> cosines::Wave {
     let Wave { frequency, amplitude, phase } = wave;
     cosines::Wave { frequency: frequency.map(f64::from), amplitude: amplitude.into(), phase: phase.into() }
@@ -215,14 +243,16 @@ fn driven(device: &Device, source: Source, case: Case, count: usize) -> Result<O
     let dimensions = if source == Source::Gabor { 3 } else { 2 };
     let numbers: Vec<f32> = footprints.iter().flat_map(|footprint| footprint.numbers(dimensions)).collect();
     let found = ExportKernel::new(device, &module, export).and_then(|kernel| kernel.run(&numbers)).map_err(failed)?;
-    let bound = source.promise(case)?;
-    let mut outcome = Outcome::new(source.name(), case, bound);
-    let [low, high] = source.hull();
+    let mut outcome = Outcome::new(source.name(), case);
+    let ([low, high], contract) = (source.hull(), source.contract()?);
     for (footprint, [mean, variance, ..]) in footprints.iter().zip(found) {
         let mean = f64::from(mean);
         let sound = (low..=high).contains(&mean) && mean.is_finite() && variance.is_finite() && variance >= 0.0;
         outcome.count(footprint, sound);
-        outcome.judge(footprint, &[mean], &[source.truth(case, footprint)], bound.is_some());
+        if case != Case::NoNumbers {
+            let (truth, promised) = ([source.truth(case, footprint)], contract + source.besides(case, footprint));
+            outcome.judge(footprint, &[mean], &truth, Some((&truth, promised)));
+        }
     }
     Ok(outcome)
 }

@@ -95,9 +95,11 @@ impl Filter {
             Visibility,
         };
         match (case, self) {
-            (Case::Grazing | Case::BelowHorizon | Case::NearSingular, Texture) => None,
-            (Case::Grazing | Case::BelowHorizon | Case::NearSingular, _) => Some(Map::Usual),
+            (Case::Grazing | Case::BelowHorizon | Case::NearSingular | Case::OneDirection, Texture) => None,
+            (Case::Grazing | Case::BelowHorizon | Case::NearSingular | Case::OneDirection, _) => Some(Map::Usual),
             (Case::NoDeviation | Case::HugeDeviation | Case::Denormals, _) => Some(Map::Usual),
+            (Case::Rounded | Case::NoNumbers, _) => Some(Map::Usual),
+            (Case::OneTexel, _) => None,
             (Case::HardEdges, Visibility | Irradiance) => None,
             (Case::HardEdges, _) => Some(Map::Edges),
             (Case::WideFootprints, _) => None,

@@ -55,12 +55,25 @@ impl Footprint {
             Case::WideFootprints => usual.map(|length| 1e6 * length),
             Case::HardEdges | Case::Stripes => [power(-2.0, -6.0, 9); 2],
             Case::Denormals => [[0.0, 1e-45, 1e-41, 3e-39, 1.2e-38][index % 5], 1e-41],
-            Case::BelowHorizon | Case::NearSingular | Case::FarFromOrigin | Case::HalfTables => usual,
+            Case::BelowHorizon
+            | Case::NearSingular
+            | Case::FarFromOrigin
+            | Case::HalfTables
+            | Case::OneDirection
+            | Case::Rounded
+            | Case::OneTexel
+            | Case::NoNumbers => usual,
         };
-        let [across, mut along] = vectors(random, lengths);
+        let [mut across, mut along] = vectors(random, lengths);
         if case == Case::NearSingular {
             let part = if index.is_multiple_of(7) { 0.0 } else { 10f64.powi(-((index % 7) as i32)) };
             along = single([0, 1, 2].map(|axis| 0.8 * across[axis] + part * along[axis]));
+        }
+        let mut position = position;
+        if case == Case::NoNumbers {
+            let sign = if (index / 9).is_multiple_of(2) { 1.0 } else { -1.0 };
+            let none = sign * [f64::from(f32::MAX), f64::INFINITY, f64::NAN][index / 3 % 3];
+            [&mut position, &mut across, &mut along][index % 3][index / 18 % 2] = none;
         }
         let position = match (case, edge) {
             (Case::Denormals, None) => position.map(|part| f64::from((1e-39 * part) as f32)),

@@ -2,6 +2,7 @@
 
 mod broken;
 pub mod cases;
+pub mod covers;
 pub mod drivers;
 pub mod filters;
 pub mod footprints;
@@ -10,6 +11,7 @@ pub mod judge;
 pub mod outcome;
 pub mod pairs;
 pub mod points;
+pub mod promise;
 mod pyramids;
 pub mod subject;
 mod tables;

@@ -128,8 +128,56 @@ impl Point {
             Case::HardEdges => self.at_an_edge(place, power(-2.0, -6.0, 9), random),
             Case::Stripes => self.at_an_edge(place, power(-0.5, -5.0, 10), random),
             Case::Denormals => self.subnormal(random),
-            Case::WideFootprints | Case::FarFromOrigin | Case::HalfTables => self,
+            Case::OneDirection => {
+                let toward = direction([1.0, 0.9, 0.6, 0.3, 0.1, 0.01][index % 6], azimuth);
+                Self { view: toward, light: toward, ..self }
+            }
+            Case::Rounded => self.rounded(index),
+            Case::NoNumbers => self.with_none(index),
+            Case::WideFootprints | Case::FarFromOrigin | Case::HalfTables | Case::OneTexel => self,
         }
+    }
+
+    /// Moments that differences of sums may have.
+    fn rounded(self, index: usize) -> Self {
+        let [xx, _, yy] = self.covariance;
+        let most = (xx * yy).sqrt();
+        let covariance = match index % 6 {
+            0 => [xx, most * (1.0 + 1e-5), yy],
+            1 => [xx, -most * (1.0 + 1e-5), yy],
+            2 => [-1e-9, 0.0, yy],
+            3 => [xx, 1e-9, -1e-9],
+            4 => [-1e-9, 1e-9, -1e-9],
+            _ => self.covariance,
+        };
+        let deviation = if index % 6 > 3 { f64::from(-1e-9f32) } else { self.deviation };
+        Self { covariance: single(covariance), deviation, ..self }
+    }
+
+    /// One input that is no number of use.
+    fn with_none(mut self, index: usize) -> Self {
+        let sign = if (index / 18).is_multiple_of(2) { 1.0 } else { -1.0 };
+        let none = sign * [f64::from(f32::MAX), f64::INFINITY, f64::NAN][index / 6 % 3];
+        match index % 6 {
+            0 => self.mean = none,
+            1 => self.deviation = none,
+            2 => self.mean_slope[index / 36 % 2] = none,
+            3 => self.covariance[index / 36 % 3] = none,
+            4 => self.view[index / 36 % 3] = none,
+            _ => self.light[index / 36 % 3] = none,
+        }
+        self
+    }
+
+    /// The nearest point that moments can have, where all of it are numbers of use.
+    pub fn nearest(self) -> Option<Self> {
+        let [xx, xy, yy] = self.covariance;
+        let (xx, yy) = (xx.max(0.0), yy.max(0.0));
+        let most = xx.sqrt() * yy.sqrt();
+        let near = Self { covariance: [xx, xy.clamp(-most, most), yy], deviation: self.deviation.max(0.0), ..self };
+        let of_values = [self.mean, self.deviation].into_iter();
+        let all = of_values.chain(self.mean_slope).chain(self.covariance).chain(self.view).chain(self.light);
+        all.map(f64::abs).all(|number| number < 1e38).then_some(near)
     }
 
     /// Values and slopes that deviate by a part of what they do.

@@ -18,7 +18,7 @@ pub const STEPS: u64 = (Filter::ALL.len() + Source::ALL.len()) as u64;
 pub fn items(bench: &Bench<'_>, count: usize) -> Result<Vec<Item>, Error> {
     let (mut filters, mut drivers) = (Vec::new(), Vec::new());
     for filter in Filter::ALL {
-        filters.extend(judge::outcomes(bench.device, filter, count).map_err(Error::Measured)?);
+        filters.extend(judge::outcomes(bench.device, bench.cache, filter, count).map_err(Error::Measured)?);
         (bench.done)(1);
     }
     for source in Source::ALL {
@@ -31,11 +31,11 @@ pub fn items(bench: &Bench<'_>, count: usize) -> Result<Vec<Item>, Error> {
     let text = format!(
         "Every filter and driver where it is hard, at {count} points a case. An error is the largest of a channel \
          against f64, wherever there is a truth: what is not seen has no color. Truths of filters are quadratures of \
-         their integrals, where deviations beyond the ranges count as the largest, as `Ranges` says; those of Gabor \
-         noise, stripes and waves are exact means, of Perlin's noise its own model's mean, of pyramids what the model \
-         of a read makes of the image. Most cases go beyond what scenes declare: bounds are asked for where they are \
-         promised, and numbers in the hull of the colors, of values and of shares everywhere; a test asks for that, \
-         too. {held}"
+         their integrals, where deviations of values and heights beyond the ranges count as the largest, as `Ranges` \
+         says; those of Gabor noise, stripes and waves are exact means, of Perlin's noise its own model's mean, of \
+         pyramids what the model of a read makes of the image. Most cases go beyond what scenes declare: bounds are \
+         asked for where modules explain that they hold, and beyond that against what inputs count as there; numbers \
+         in the hull of the colors, of values and of shares everywhere; a test asks for that, too. {held}"
     );
     Ok(vec![
         Item::Text(text),
@@ -104,7 +104,7 @@ fn bounds(outcomes: &[Outcome]) -> Table {
     let columns = ["filter", "case", "points", "error", "covered", "error there", "bound", "violations"];
     Table {
         stem: "extremes_bounds".into(),
-        caption: "Errors of filters at all points, at those that the module's bound covers, and the bound.".into(),
+        caption: "Errors of filters at all points, at those that a bound covers, and the largest bound.".into(),
         columns: columns.map(Into::into).to_vec(),
         rows: outcomes.iter().map(row).collect(),
     }

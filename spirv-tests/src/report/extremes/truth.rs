@@ -1,13 +1,13 @@
-//! What filters ought to return, by quadratures in f64, and where modules promise how near they are.
+//! What filters ought to return, by quadratures in f64.
 
-use prefilter::reference::footprint::{deviations, variance_along};
+use prefilter::reference::footprint::variance_along;
 use prefilter::reference::slope_nodes::{Along as Towards, Transferred};
 use prefilter::reference::slopes::Visible;
 use prefilter::reference::smith::{self, Along};
 use prefilter::reference::texture::PiecewiseLinear;
 use prefilter::reference::{height, irradiance, percentile, slope, steepness, texture, visibility};
-use prefilter::Ranges;
 
+use super::covers::Covers;
 use super::filters::Filter;
 use super::points::{Point, FRAME};
 use super::subject::Subject;
@@ -26,7 +26,8 @@ const PARTS: usize = 16;
 const LOWEST: f64 = -12.0;
 
 impl Point {
-    fn visible(&self) -> Visible {
+    /// The slopes as the view sees them.
+    pub(super) fn visible(&self) -> Visible {
         Visible { view: self.view, covariance: self.covariance, mean: self.mean_slope }
     }
 
@@ -42,7 +43,7 @@ impl Point {
     }
 
     /// Smith's Λ of a direction over slopes without a mean: infinite at and below the horizon.
-    fn lambda(&self, direction: [f64; 3]) -> f64 {
+    pub(super) fn lambda(&self, direction: [f64; 3]) -> f64 {
         match Along::new(direction, self.covariance, [0.0; 2]).parameter() {
             parameter if parameter > 10.0 => 0.0,
             parameter if parameter > 0.0 => smith::lambda(parameter),
@@ -52,11 +53,17 @@ impl Point {
     }
 
     /// That of view and light.
-    fn lambdas(&self) -> f64 {
+    pub(super) fn lambdas(&self) -> f64 {
         (self.lambda(self.view) + self.lambda(self.light)).min(MOST)
     }
 
-    fn component(&self) -> f64 {
+    /// The deviation of the slopes' component.
+    pub(super) fn component_deviation(&self) -> f64 {
+        variance_along(self.covariance, self.direction).max(0.0).sqrt()
+    }
+
+    /// The component of the mean slope.
+    pub(super) fn component(&self) -> f64 {
         self.direction[0] * self.mean_slope[0] + self.direction[1] * self.mean_slope[1]
     }
 }
@@ -64,6 +71,7 @@ impl Point {
 impl Subject {
     /// What the filter ought to return at a point, and nothing where nothing is seen: any color of the map will do.
     pub fn truth(&self, point: &Point) -> Option<[f64; 4]> {
+        let point = &point.nearest()?;
         let map = || self.scene.map().map(|map| map.reference());
         let whole = || self.scene.map_of_slopes().map(|map| map.reference());
         let deviation = point.deviation.clamp(LEAST, self.scene.chosen_ranges().deviation.into());
@@ -90,12 +98,37 @@ impl Subject {
                 let (value, steep, high) = (value.truth(point)?, steep.truth(point)?, high.truth(point)?);
                 Some([0, 1, 2, 3].map(|channel| value[channel] * steep[channel] * (1.0 - high[channel])))
             }
-            Filter::HeightTransfer => self.transferred(point),
+            Filter::HeightTransfer => self.transferred(point, MOST),
         }
     }
 
-    /// The color of transferred heights that both directions reach; nothing from below.
-    fn transferred(&self, point: &Point) -> Option<[f64; 4]> {
+    /// The truth of heights where larger Λ of view and light together count as the largest that is covered, and larger
+    /// deviations of what a curve takes as well.
+    pub(super) fn hidden(&self, point: &Point, covers: &Covers) -> Option<[f64; 4]> {
+        let ([_, most], [_, widest]) = (covers.lambdas, covers.deviations);
+        if self.filter == Filter::HeightTransfer {
+            return self.transferred(&Point { deviation: point.deviation.min(widest), ..*point }, most);
+        }
+        self.truth(point)?;
+        let deviation = point.deviation.clamp(LEAST, self.scene.chosen_ranges().deviation.into());
+        Some(height::mean(&self.scene.map()?.reference(), point.mean, deviation, point.lambdas().min(most)))
+    }
+
+    /// The truth of slopes where components that deviate more than is covered are drawn together about the middle of
+    /// the map until they deviate by that: of a map that is drawn apart instead.
+    pub(super) fn narrowed(&self, point: &Point, covers: &Covers) -> Option<[f64; 4]> {
+        let ([_, most], deviation) = (covers.deviations, point.component_deviation());
+        if deviation <= most || !point.seen() {
+            return self.truth(point);
+        }
+        let mut map = self.scene.map()?.reference();
+        let middle = 0.5 * (map.knots.first()?.0 + map.knots.last()?.0);
+        map.knots.iter_mut().for_each(|knot| knot.0 = middle + (knot.0 - middle) * deviation / most);
+        Some(slope::mean(&map, &point.visible(), point.direction))
+    }
+
+    /// The color of transferred heights that both directions reach, up to a sum of both Λ; nothing from below.
+    fn transferred(&self, point: &Point, most: f64) -> Option<[f64; 4]> {
         let (map, curve, values) = (self.scene.map()?.reference(), &self.curve, [point.mean, point.deviation]);
         let surface = Transferred::in_parts(PARTS, values, &curve.bends(), |f| curve.height(f), |f| curve.slope(f));
         let lambda = |[x, y, z]: [f64; 3]| {
@@ -105,60 +138,12 @@ impl Subject {
             let along = Towards { angle: length.atan2(z), mean: 0.0, deviation };
             (z > 0.0).then(|| if deviation < 1e-15 { 0.0 } else { surface.lambda(along) })
         };
-        let lambda = (lambda(point.view)? + lambda(point.light)?).min(MOST);
+        let lambda = (lambda(point.view)? + lambda(point.light)?).min(most);
         let mut color = [0.0; 4];
         for (part, share) in surface.parts.iter().zip(surface.visible_heights(lambda)) {
             color.iter_mut().zip(map.value(part.height)).for_each(|(sum, channel)| *sum += share * channel);
         }
         Some(color)
-    }
-
-    /// Whether the module's bound covers a point: what `Module::explain` says of ranges and of what it covers.
-    pub fn promises(&self, point: &Point) -> bool {
-        let Ranges { mean: (low, high), deviation: most } = self.scene.chosen_ranges();
-        let largest = low.abs().max(high.abs());
-        let (low, high, widest) = (f64::from(low), f64::from(high), f64::from(most));
-        let inside = |value: f64| low <= value && value <= high;
-        let [major, minor] = deviations(point.covariance);
-        let [xx, xy, yy] = point.covariance;
-        let correlated = xy * xy > 0.81 * xx * yy;
-        let above = point.visible().rise() > 0.0;
-        let steep = point.mean_slope[0].hypot(point.mean_slope[1]);
-        match self.filter {
-            Filter::Texture => inside(point.mean) && point.deviation <= widest,
-            Filter::Height => {
-                let least = f64::from((1e-3 * largest).min(0.1 * most).max(1e-5));
-                let ranged = inside(point.mean) && (least..=widest).contains(&point.deviation);
-                ranged && point.lambdas() <= 1e4
-            }
-            Filter::HeightPercentile => point.lambdas() <= 1e4,
-            Filter::Slope => {
-                let steepest = largest.max(1.0);
-                let least = f64::from((1e-3 * steepest).min(0.1 * most).max(1e-5));
-                let deviation = variance_along(point.covariance, point.direction).max(0.0).sqrt();
-                let ranged = inside(point.component()) && (least..=widest).contains(&deviation);
-                above && ranged && steep <= f64::from(steepest) && !correlated && major <= widest
-            }
-            Filter::SlopeMap => {
-                let round = minor >= 0.24 * widest && major <= 2.0 * minor && major <= widest;
-                above && round && point.mean_slope.iter().all(|part| inside(*part))
-            }
-            Filter::Steepness => {
-                let least = f64::from((1e-3 * (self.scene.chosen_ranges().mean.1.max(0.0) + 3.1 * most)).max(1e-5));
-                let round = minor >= least && major <= 2.0 * minor && major <= widest;
-                above && round && steep <= high
-            }
-            Filter::Irradiance => point.view[2] >= 0.0872 && major <= 1.0 && steep <= 0.36 && !correlated,
-            Filter::HeightTransfer => {
-                let Ranges { mean: (low, high), deviation: most } = Ranges::of_transfer(&self.curve);
-                let ranged = (f64::from(low)..=f64::from(high)).contains(&point.mean);
-                let deviations = f64::from(high - low) / 63.0..=f64::from(most);
-                ranged && deviations.contains(&point.deviation) && point.lambdas() <= 1e2
-            }
-            Filter::Combination => self.layers.iter().all(|layer| layer.promises(point)),
-            // No module promises an error of its shares.
-            Filter::Visibility => false,
-        }
     }
 }
 

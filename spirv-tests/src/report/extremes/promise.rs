@@ -1,0 +1,150 @@
+//! Where modules promise how near filters are, and how near.
+
+use prefilter::reference::footprint::deviations;
+use prefilter::Module;
+
+use super::covers::Covers;
+use super::filters::Filter;
+use super::points::Point;
+use super::subject::Subject;
+use crate::contract::{Contract, Promise};
+use crate::kernel::Function;
+
+/// How much the share that is lit, p, moves with errors of both Λ, as parts of 1 + Λ: p (3 - 2p) at most.
+const MOVED: f64 = 1.125;
+
+/// What parameters add to the errors of Λ up to correlations of 0.9, as `smith_parameter` says; and the quotient's own.
+const PARAMETERS: f64 = 1.5e-6;
+const QUOTIENT: f64 = 2e-7;
+
+/// What is promised of a filter, or of each layer of a combination.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Promised {
+    bound: f64,
+    covers: Vec<(Filter, Covers)>,
+}
+
+impl Promised {
+    /// What the module says.
+    ///
+    /// # Errors
+    /// A message where it says nothing.
+    pub fn new(subject: &Subject, module: &Module) -> Result<Self, String> {
+        let bound = f64::from(module.bound().value());
+        let (filter, text) = (subject.filter, module.explain());
+        let covers = match filter {
+            Filter::Visibility => {
+                return Ok(Self { bound: shares(module)?, covers: vec![(filter, Covers::of(text)?)] })
+            }
+            Filter::Combination => {
+                let parts = text.split("  layer   ").skip(1);
+                let of = |(layer, part): (&Subject, &str)| Covers::of(part).map(|covers| (layer.filter, covers));
+                subject.layers.iter().zip(parts).map(of).collect::<Result<Vec<_>, _>>()?
+            }
+            _ => vec![(filter, Covers::of(text)?)],
+        };
+        if covers.len() != subject.layers.len().max(1) {
+            return Err(format!("a combination says too little of its layers: {text}"));
+        }
+        Ok(Self { bound, covers })
+    }
+
+    /// From what a result is promised to be no farther than a bound, if any: the truth of what the point counts as.
+    pub fn at(&self, subject: &Subject, point: &Point, truth: [f64; 4]) -> Option<([f64; 4], f64)> {
+        if !self.covers.iter().all(|(filter, covers)| point.within(*filter, covers)) {
+            return None;
+        }
+        let (_, covers) = self.covers.first()?;
+        let counted = match subject.filter {
+            Filter::Height | Filter::HeightTransfer => subject.hidden(point, covers)?,
+            Filter::Slope => subject.narrowed(point, covers)?,
+            _ => truth,
+        };
+        Some((counted, self.bound + moved(subject, covers, point, truth)))
+    }
+}
+
+/// What the shares that are lit may err by: contracts of Λ, as far as those move shares.
+fn shares(module: &Module) -> Result<f64, String> {
+    let lambda = if module.wgsl().contains("smith_lambda_fast(") { "smith_lambda_fast" } else { "smith_lambda" };
+    match Contract::of(&Function::of_shelf(lambda)?)?.promise {
+        Promise::Mixed(error) => Ok(MOVED * (error + PARAMETERS) + QUOTIENT),
+        other => Err(format!("`{lambda}` promises {other:?}")),
+    }
+}
+
+/// How far the truth of narrow heights or slopes moves within what positions are rounded by.
+fn moved(subject: &Subject, covers: &Covers, point: &Point, truth: [f64; 4]) -> f64 {
+    let ([low, high], [least, _]) = (covers.means, covers.deviations);
+    let at = |part: f64| match subject.filter {
+        Filter::Height if point.deviation < least => {
+            Some(Point { mean: point.mean + part * low.abs().max(high.abs()), ..*point })
+        }
+        Filter::Slope if point.component_deviation() < least => Some(point.leaning(part * covers.steepest)),
+        _ => None,
+    };
+    let ends = [ROUNDED, -ROUNDED].into_iter().filter_map(|part| subject.truth(&at(part)?));
+    ends.map(|end| farthest(truth, end)).fold(0.0, f64::max)
+}
+
+fn farthest(one: [f64; 4], other: [f64; 4]) -> f64 {
+    one.iter().zip(other).fold(0.0, |most: f64, (one, other)| most.max((one - other).abs()))
+}
+
+/// What positions of a map are rounded by, in parts of the largest: sums of three products, and a sum with a knot;
+/// where deviations below 1e-6 count as that, within six of those.
+const ROUNDED: f64 = 4.0 / 16_777_216.0 + 6e-6;
+
+impl Point {
+    /// The point with a mean slope that much steeper along the direction.
+    fn leaning(&self, by: f64) -> Self {
+        let [x, y] = self.direction;
+        Self { mean_slope: [self.mean_slope[0] + by * x, self.mean_slope[1] + by * y], ..*self }
+    }
+
+    /// Whether a filter's module covers the point.
+    fn within(&self, filter: Filter, covers: &Covers) -> bool {
+        let Covers { means: [low, high], deviations: [least, most], steepest, .. } = *covers;
+        let inside = |value: f64| low <= value && value <= high;
+        let [x, y] = self.mean_slope;
+        let steep = x.hypot(y);
+        let [major, minor] = deviations(self.covariance);
+        let round = minor >= least && major <= covers.oblong * minor && major <= most;
+        match filter {
+            // Larger deviations count as the largest, in the truth as well.
+            Filter::Texture => inside(self.mean),
+            // Narrow heights and large Λ, too.
+            Filter::Height => inside(self.mean),
+            Filter::HeightPercentile => self.hidden(covers),
+            Filter::Visibility => self.hidden(covers) && !self.correlated(0.9),
+            // Narrow and wide slopes, too.
+            Filter::Slope => self.sees(covers) && inside(self.component()) && steep <= steepest,
+            Filter::SlopeMap => self.sees(covers) && round && inside(x) && inside(y),
+            Filter::Steepness => self.sees(covers) && round && steep <= high,
+            Filter::Irradiance => self.sees(covers) && major <= most && x.abs() <= steepest && y.abs() <= steepest,
+            // Large deviations, too.
+            Filter::HeightTransfer => inside(self.mean) && self.deviation >= least && self.hidden(covers),
+            // Its layers say so.
+            Filter::Combination => true,
+        }
+    }
+
+    fn hidden(&self, covers: &Covers) -> bool {
+        let [each, both] = covers.lambdas;
+        [self.view, self.light].into_iter().all(|direction| self.lambda(direction) <= each.min(LARGEST))
+            && self.lambdas() <= both
+    }
+
+    fn sees(&self, covers: &Covers) -> bool {
+        let above = !covers.above || self.visible().rise() > 0.0;
+        above && self.view[2] >= covers.raised.to_radians().sin() && !self.correlated(covers.correlation)
+    }
+
+    fn correlated(&self, most: f64) -> bool {
+        let [xx, xy, yy] = self.covariance;
+        xy * xy > most * most * xx * yy
+    }
+}
+
+/// The largest Λ of a direction above the horizon, as `smith_lambda` says.
+const LARGEST: f64 = 5.2e5;
