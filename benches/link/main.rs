@@ -1,5 +1,5 @@
 //! How long does a scene take to become a validated module, and modules to be linked and written as SPIR-V? Fails above
-//! 5 ms, and where all tables of a scene with all filters take above 300 ms.
+//! 6 ms, and where all tables of a scene with all filters take above 120 ms: a fifth above what is asked for.
 //!
 //! What is measured is the processor's time, that of all threads together: as long as one core takes. It is stated for
 //! the median run and for the fastest, which nothing disturbed and which has to be within the limit.
@@ -10,9 +10,10 @@ mod filters;
 use prefilter::{ColorMap, Error, Kernel, Module, Scene, Tier};
 use rustix::time::{clock_gettime, ClockId};
 
-const LINKED: f64 = 5e-3;
-/// Three times what is asked for, 100 ms, and twice what is measured: for what gets worse unseen.
-const BAKED: f64 = 0.3;
+/// A fifth above what is asked for, 5 ms: a processor with other work takes up to a tenth longer than a quiet one.
+const LINKED: f64 = 6e-3;
+/// Likewise, of 100 ms.
+const BAKED: f64 = 0.12;
 const RUNS: usize = 101;
 const BAKED_RUNS: usize = 7;
 
