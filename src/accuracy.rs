@@ -19,7 +19,8 @@ const LARGEST: f32 = crate::transfer::color_map::MAX_COLOR;
 /// * A component of the slope that deviates more counts as drawn together about the middle of the map until it
 ///   deviates by the largest: the shares to either side of that middle stay. The share beyond an edge at t is off by up
 ///   to 0.61 |t − middle| over the largest deviation, for views above the horizon.
-/// * Λ of view and light together count as 1e4 where more hides a height.
+/// * Λ of view and light together count as 1e4 where more hides a height from the closed forms, and as 1e6 where it
+///   hides one from other tiers.
 /// * Below the least deviation that [`Module::explain`](crate::Module::explain) states of heights and of components of
 ///   slopes, colors are those of means within 7e-6 of the largest mean.
 ///

@@ -76,7 +76,8 @@ impl Lengths {
         }
     }
 
-    /// How far ν may lie beyond the mean slope's length, and the smallest σ, in deviations of the widest axis.
+    /// How far ν may lie beyond the mean slope's length, and the σ from which on the table is judged, in deviations of
+    /// the widest axis.
     fn reach(self) -> (f32, f64) {
         match self {
             Self::Naive | Self::One => (REACH, 1.0),

@@ -131,7 +131,11 @@ impl Scene {
         let count = asking.iter().filter(|scene| scene.accuracy.is_none()).count() as f64;
         // How many times a layer's own error the whole errs.
         let weight = |scene: &Scene| whole(&|other| f64::from(u8::from(other.name == scene.name))) - least;
-        let share = |scene: &Scene, part: f64| part * (asked - used).max(0.0) / (count * weight(scene).max(1e-3));
+        let weights: BTreeMap<&str, f64> = asking.iter().map(|scene| (&*scene.name, weight(scene).max(1e-3))).collect();
+        let share = |scene: &Scene, part: f64| {
+            let weight = weights.get(&*scene.name).copied().unwrap_or(1.0);
+            part * (asked - used).max(0.0) / (count * weight)
+        };
         // Errors of factors are multiplied, too, colors are rounded, and layers of a mixture do not err at once.
         let free = |scene: &Scene, part| if scene.accuracy.is_none() { share(scene, part) } else { 0.0 };
         let kept = |part: f64| whole(&|scene| known(scene).unwrap_or_else(|| free(scene, part))) <= asked;

@@ -57,7 +57,8 @@ impl Scene {
     }
 
     /// So many reads for each normal distribution of slopes instead of the cheapest that keep the accuracy;
-    /// [`SlopeTier::Naive`] has none. A [`Self::steepness`] takes one or three, and with [`SlopeTier::Pair`] five.
+    /// [`SlopeTier::Naive`] has none. A [`Self::steepness`] takes one or three, or five for each of two, which is its
+    /// [`SlopeTier::Pair`].
     #[must_use]
     pub fn slope_taps(self, taps: SlopeTaps) -> Self {
         Self { slope_taps: Some(taps), ..self }

@@ -74,22 +74,23 @@ pub(super) struct Layers<'a> {
 }
 
 impl<'a> Layers<'a> {
-    /// `bends` rise, and between them map and curve are smooth.
-    pub(super) fn new(map: &PiecewiseLinear, curve: &'a HeightTransfer, bends: &[f64]) -> Self {
-        let from = std::iter::once(f64::NEG_INFINITY).chain(bends.iter().copied());
-        let to = bends.iter().copied().chain([f64::INFINITY]);
+    /// `bends` rise, and between them, and from the lowest value that occurs up to the highest, map and curve are
+    /// smooth.
+    pub(super) fn new(
+        map: &PiecewiseLinear,
+        curve: &'a HeightTransfer,
+        bends: &[f64],
+        (low, high): (f64, f64),
+    ) -> Self {
+        let from = std::iter::once(low).chain(bends.iter().copied());
+        let to = bends.iter().copied().chain([high]);
         let stretch = |(from, to): (f64, f64)| {
-            let middle = match (from.is_finite(), to.is_finite()) {
-                (true, true) => 0.5 * (from + to),
-                (true, false) => from + 1.0,
-                (false, true) => to - 1.0,
-                (false, false) => 0.0,
-            };
+            let middle = 0.5 * (from + to);
             let pieces = curve.pieces().unwrap_or_default();
             let piece = pieces.iter().find(|piece| middle < piece.to).copied();
             let (height, line) = line(map, curve.height(middle));
             let level = piece.is_some_and(|piece| piece.is_level());
-            Stretch { to, piece, level, height, line }
+            Stretch { to: if to < high { to } else { f64::INFINITY }, piece, level, height, line }
         };
         let rises = curve.slopes(f64::NEG_INFINITY, f64::INFINITY).0 >= 0.0;
         Self { curve, rises, stretches: from.zip(to).map(stretch).collect(), ends: ends(curve.is_monotone()) }

@@ -38,7 +38,7 @@ impl Plan<'_> {
     pub(crate) fn table(&self, name: &str, floor: f64) -> Table {
         let lattice = Lattice([self.means, self.deviations, HIDING]);
         let bends = self.bends();
-        let layers = Layers::new(self.map, self.curve, &bends);
+        let layers = Layers::new(self.map, self.curve, &bends, self.values());
         let hiding = Hiding::new([1.0, 2.0, 3.0].map(lambda), HIDING.count);
         let hull = self.hull();
         let line = |row: usize| {
@@ -113,10 +113,15 @@ impl Plan<'_> {
         [most(f64::min, f64::INFINITY), most(f64::max, f64::NEG_INFINITY)]
     }
 
+    /// The lowest and the highest value that occur.
+    fn values(&self) -> (f64, f64) {
+        let far = REACH * self.deviations.high;
+        (self.means.low - far, self.means.high + far)
+    }
+
     /// Where it bends for the values that occur.
     fn bends(&self) -> Vec<f64> {
-        let far = REACH * self.deviations.high;
-        bends(self.map, self.curve, (self.means.low - far, self.means.high + far))
+        bends(self.map, self.curve, self.values())
     }
 
     /// The mean color over what is visible of heights, by the reference's many parts.
@@ -171,7 +176,7 @@ mod tests {
     fn colors_over_a_line_are_those_without_a_curve() -> Result<(), crate::Error> {
         let (map, line) = (map(), HeightTransfer::power(1.0)?);
         let plan = plan(&map, &line);
-        let layers = Layers::new(&map, &line, &plan.bends());
+        let layers = Layers::new(&map, &line, &plan.bends(), plan.values());
         for strip in [0.0, 0.7, 39.0, 1e3].map(Strip::new) {
             for (mean, deviation) in [(0.31, 0.02), (-0.4, 0.3), (0.7, 0.5), (1.2, 0.2), (0.31, 0.0)] {
                 let expected = strip.color(&map, mean + deviation * strip.mean, deviation * strip.deviation);
@@ -191,7 +196,7 @@ mod tests {
         for curve in [HeightTransfer::smoothstep(0.0, 1.2)?, HeightTransfer::absolute(), peaks] {
             let plan = plan(&map, &curve);
             let bends = plan.bends();
-            let layers = Layers::new(&map, &curve, &bends);
+            let layers = Layers::new(&map, &curve, &bends, plan.values());
             for [mean, deviation] in [[0.31, 0.05], [-0.4, 0.3], [0.7, 0.5], [1.2, 0.2], [0.31, 0.0]] {
                 for lambda in [0.0, 0.4, 5.0, 100.0, 1e4] {
                     let truth = plan.truth(&bends, mean, deviation, lambda);
@@ -199,6 +204,28 @@ mod tests {
                     let apart = found.iter().zip(truth).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
                     assert!(apart < 2e-3, "{curve:?}, {mean}, {deviation}, {lambda}: {apart:e}");
                 }
+            }
+        }
+        Ok(())
+    }
+
+    /// Values that occur may reach over a part of the curve and of the map alone, with few bends or none.
+    #[test]
+    fn values_may_lie_between_the_bends() -> Result<(), crate::Error> {
+        let (black, white) = ([0.0, 0.3, 1.0, 1.0], [1.0, 0.4, 0.0, 1.0]);
+        let map = PiecewiseLinear { knots: vec![(0.0, black, black), (0.5, white, white), (1.0, black, black)] };
+        let curves = [HeightTransfer::smoothstep(0.2, 0.8)?, HeightTransfer::power(1.0)?];
+        for (curve, low) in curves.iter().flat_map(|curve| [0.3, 0.4, 0.55].map(|low| (curve, low))) {
+            let means = Axis { low, high: low + 0.1, count: 8, spacing: Spacing::Linear };
+            let deviations = Axis { low: 0.0, high: 0.01, count: 4, spacing: Spacing::CubeRoot };
+            let plan = Plan { map: &map, curve, means, deviations };
+            let bends = plan.bends();
+            let layers = Layers::new(&map, curve, &bends, plan.values());
+            for mean in [low, low + 0.03, low + 0.1] {
+                let truth = plan.truth(&bends, mean, 0.01, 5.0);
+                let found = layers.colors(mean, 0.01, &Hiding::new([5.0; 3], 2))[1];
+                let apart = found.iter().zip(truth).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+                assert!(apart < 2e-3, "{curve:?}, {mean}: {apart:e}");
             }
         }
         Ok(())

@@ -65,20 +65,24 @@ fn normals_gaussian(
     let factor = slopes_factor(view, (c + vec3f(k * determinant, 0.0, k * determinant)) * inverse);
     let u = slopes_moments(slopes_parameter(view, mean, factor));
     let seen = slopes_area(view, mean, factor) / max(area, 1e-30);
-    let share = exp(-0.5 * k * max(dot(s, mean), 0.0)) * sqrt(inverse) * seen;
+    // A part of all.
+    let share = min(exp(-0.5 * k * max(dot(s, mean), 0.0)) * sqrt(inverse) * seen, 1.0);
     var sum = normals_plus(means, mean + u.x * factor.xy, share * weight, share * square_weight);
     sum.level += share * square_weight * slopes_covariance(factor, u.y);
     return sum;
 }
 
 /// Means over the normals of the slopes that a view sees; where it sees none, those of the mean of what it sees last.
-/// For views from 5 degrees above the mean plane on: flatter ones see slopes beyond 3.
+/// For views from 5 degrees above the mean plane on: flatter ones see slopes beyond 3. Covariances are scaled to
+/// variances of 1e4 at most, alike for all that is seen and for what a Gaussian leaves of it.
 ///
 /// Source: Heitz et al. 2014, "Filtering Non-Linear Transfer Functions on Surfaces", section 5.3, for order 2.
 /// Domain: view unit upper, mean_slope in [-0.3, 0.3], covariance psd(0.05, 1, 0.9).
 /// Error: 2e-3 absolute; of the four Gaussians.
 fn normals_visible(view: vec3f, mean_slope: vec2f, covariance: vec3f) -> normals_means {
-    let factor = slopes_factor(view, covariance);
+    let finite = clamp(covariance, vec3f(-3e38), vec3f(3e38));
+    let c = finite * (1e4 / max(max(finite.x, finite.z), 1e4));
+    let factor = slopes_factor(view, c);
     let area = slopes_area(view, mean_slope, factor);
     let u = slopes_moments(slopes_parameter(view, mean_slope, factor));
     let mean = clamp(mean_slope + u.x * factor.xy, vec2f(-1e9), vec2f(1e9));
@@ -93,10 +97,10 @@ fn normals_visible(view: vec3f, mean_slope: vec2f, covariance: vec3f) -> normals
     let q = vec4f(0.08936, 0.3169, 0.41236, 0.18138);
     let found = exp(-rates * min(squared, 4e3)); // 0 there, whatever multiplies it
     var m = normals_plus(none, mean, z - dot(w, found), z * z - dot(q, found));
-    m = normals_gaussian(m, view, mean_slope, covariance, area, rates.x, w.x, q.x);
-    m = normals_gaussian(m, view, mean_slope, covariance, area, rates.y, w.y, q.y);
-    m = normals_gaussian(m, view, mean_slope, covariance, area, rates.z, w.z, q.z);
-    return normals_gaussian(m, view, mean_slope, covariance, area, rates.w, w.w, q.w);
+    m = normals_gaussian(m, view, mean_slope, c, area, rates.x, w.x, q.x);
+    m = normals_gaussian(m, view, mean_slope, c, area, rates.y, w.y, q.y);
+    m = normals_gaussian(m, view, mean_slope, c, area, rates.z, w.z, q.z);
+    return normals_gaussian(m, view, mean_slope, c, area, rates.w, w.w, q.w);
 }
 
 /// The same by three Gaussians, which miss up to 3.5e-3 for |s| up to 2.5; for the same views.
@@ -105,7 +109,9 @@ fn normals_visible(view: vec3f, mean_slope: vec2f, covariance: vec3f) -> normals
 /// Domain: view unit upper, mean_slope in [-0.3, 0.3], covariance psd(0.05, 1, 0.9).
 /// Error: 1e-2 absolute; of the three Gaussians.
 fn normals_visible_fast(view: vec3f, mean_slope: vec2f, covariance: vec3f) -> normals_means {
-    let factor = slopes_factor(view, covariance);
+    let finite = clamp(covariance, vec3f(-3e38), vec3f(3e38));
+    let c = finite * (1e4 / max(max(finite.x, finite.z), 1e4));
+    let factor = slopes_factor(view, c);
     let area = slopes_area(view, mean_slope, factor);
     let u = slopes_moments(slopes_parameter(view, mean_slope, factor));
     let mean = clamp(mean_slope + u.x * factor.xy, vec2f(-1e9), vec2f(1e9));
@@ -120,9 +126,9 @@ fn normals_visible_fast(view: vec3f, mean_slope: vec2f, covariance: vec3f) -> no
     let q = vec3f(0.15483, 0.47035, 0.37135);
     let found = exp(-rates * min(squared, 4e3)); // 0 there, whatever multiplies it
     var m = normals_plus(none, mean, z - dot(w, found), z * z - dot(q, found));
-    m = normals_gaussian(m, view, mean_slope, covariance, area, rates.x, w.x, q.x);
-    m = normals_gaussian(m, view, mean_slope, covariance, area, rates.y, w.y, q.y);
-    return normals_gaussian(m, view, mean_slope, covariance, area, rates.z, w.z, q.z);
+    m = normals_gaussian(m, view, mean_slope, c, area, rates.x, w.x, q.x);
+    m = normals_gaussian(m, view, mean_slope, c, area, rates.y, w.y, q.y);
+    return normals_gaussian(m, view, mean_slope, c, area, rates.z, w.z, q.z);
 }
 
 /// The same by five slopes: the mean of the visible ones and, with a sixth of the weight each, those √3 deviations off.
