@@ -65,8 +65,7 @@ fn normals_gaussian(
     let factor = slopes_factor(view, (c + vec3f(k * determinant, 0.0, k * determinant)) * inverse);
     let u = slopes_moments(slopes_parameter(view, mean, factor));
     let seen = slopes_area(view, mean, factor) / max(area, 1e-30);
-    // A part of all.
-    let share = min(exp(-0.5 * k * max(dot(s, mean), 0.0)) * sqrt(inverse) * seen, 1.0);
+    let share = exp(-0.5 * k * max(dot(s, mean), 0.0)) * sqrt(inverse) * seen;
     var sum = normals_plus(means, mean + u.x * factor.xy, share * weight, share * square_weight);
     sum.level += share * square_weight * slopes_covariance(factor, u.y);
     return sum;
