@@ -62,7 +62,8 @@ pub fn entry(modules: &[Module]) -> String {
             "vec3f" => "pixel_numbers.xyz".to_owned(),
             "vec4f" => "pixel_numbers".to_owned(),
             _ => {
-                let own = format!("{}_{name}", module.name());
+                // Not the name of a function of the module.
+                let own = format!("bound_{}_{name}", module.name());
                 if !known.contains(&own) {
                     bindings += &format!("@group(1) @binding({count}) var {own}: {kind};\n");
                     count += 1;
