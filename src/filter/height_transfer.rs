@@ -87,9 +87,7 @@ impl Nodes {
         }
         text
     }
-}
 
-impl Nodes {
     /// The deviation of f from which on bends are not misread: the distance of two columns.
     pub fn narrow(&self) -> f32 {
         let [low, high, columns] = self.means;
@@ -105,9 +103,7 @@ impl Nodes {
             self.read(2)
         )
     }
-}
 
-impl Nodes {
     /// The function `NAME_lambda`, Λ of a direction over all nodes of slopes that have no mean. Level ground hides
     /// nothing.
     pub fn lambda(&self, name: &str) -> String {
