@@ -33,10 +33,9 @@ const NODES: [&str; 2] = ["lit", "radiance"];
 /// The shelf's loops over the two sides of a mean slope.
 const SIDES: [&str; 4] = ["rice_five", "slope_map_five", "slope_map_seven", "slope_map_nine"];
 
-/// The shelf's loops over parts of slopes, over the waves and the corners of patterns, footprints narrower than 0.03
-/// periods take more waves, and over the edges of a cell in space.
-const FIXED: [(&str, usize); 6] = [
-    ("rice_three", 3),
+/// The shelf's loops over the waves and the corners of patterns, footprints narrower than 0.03 periods take more waves,
+/// and over the edges of a cell in space.
+const FIXED: [(&str, usize); 5] = [
     ("crossing_waves", 16),
     ("crossing_corners", 4),
     ("pulse_waves", 4),

@@ -7,33 +7,37 @@ use prefilter::reference::rounds::nearest;
 
 use super::Row;
 
-/// Between nodes linearly, which leaves 1e-5: each node starts from the one before.
+/// Places as multiples of z a, and weights; between nodes linearly, which leaves 1e-5.
 struct Nearest<const N: usize> {
     from: f64,
     step: f64,
     nodes: Vec<[f64; N]>,
 }
 
+/// The places times a factor, the weights as they are.
+fn placed<const N: usize>(mut pairs: [f64; N], factor: f64) -> [f64; N] {
+    pairs[..N / 2].iter_mut().for_each(|place| *place *= factor);
+    pairs
+}
+
 impl<const N: usize> Nearest<N> {
-    /// Down from a part for which a sum is known.
+    /// In steps down, or up where those are negative, from a part for which a sum is known: each node starts from the
+    /// one before.
     fn new(from: f64, step: f64, count: usize, start: [f64; N]) -> Self {
-        let mut last = start;
+        let z = |part: f64| (1.0 - part * part).sqrt();
+        let mut last = placed(start, 1.0 / z(from));
         let node = |index: usize| {
-            last = nearest(from - step * index as f64, last);
+            let part = from - step * index as f64;
+            last = placed(nearest(part, placed(last, z(part))), 1.0 / z(part));
             last
         };
         Self { from, step, nodes: (0..count).map(node).collect() }
     }
 
-    /// The places as multiples of z a, and the weights.
     fn at(&self, part: f64) -> [f64; N] {
         let along = ((self.from - part) / self.step).clamp(0.0, self.nodes.len() as f64 - 1.001);
         let (index, share) = (along as usize, along.fract());
-        let z = (1.0 - part * part).sqrt();
-        std::array::from_fn(|number| {
-            let value = (1.0 - share) * self.nodes[index][number] + share * self.nodes[index + 1][number];
-            value / if number < N / 2 { z } else { 1.0 }
-        })
+        std::array::from_fn(|number| (1.0 - share) * self.nodes[index][number] + share * self.nodes[index + 1][number])
     }
 }
 
@@ -51,8 +55,19 @@ fn of(x: &[f64], from: usize) -> [f64; 4] {
     std::array::from_fn(|number| x[4 + (from - 4 + number) % 4])
 }
 
+/// The place of either of a pair about a third on the mean, as a multiple of z a, and its weight.
+pub(super) fn three(part: f64) -> [f64; 2] {
+    static NARROW: OnceLock<Nearest<2>> = OnceLock::new();
+    static WIDE: OnceLock<Nearest<2>> = OnceLock::new();
+    let start = [1.18, 0.219];
+    if part <= 0.6 {
+        return NARROW.get_or_init(|| Nearest::new(0.6, 0.004, 80, start)).at(part);
+    }
+    // Beyond, the three are one to 1e-5 of a step.
+    WIDE.get_or_init(|| Nearest::new(0.6, -0.004, 85, start)).at(part)
+}
+
 pub(super) fn rows() -> Vec<Row> {
-    static THREE: OnceLock<Nearest<2>> = OnceLock::new();
     static FIVE: OnceLock<Nearest<4>> = OnceLock::new();
     static SEVEN: OnceLock<Nearest<6>> = OnceLock::new();
     static NINE: OnceLock<Nearest<8>> = OnceLock::new();
@@ -67,7 +82,7 @@ pub(super) fn rows() -> Vec<Row> {
     let third = |pairs: [f64; 6], from: usize| -> [f64; 3] { std::array::from_fn(|number| pairs[from + number]) };
     let half = |pairs: [f64; 8], from: usize| -> [f64; 4] { std::array::from_fn(|number| pairs[from + number]) };
     vec![
-        Row::new("rounds_three", |x| THREE.get_or_init(|| Nearest::new(0.6, 0.004, 80, [1.18, 0.219])).at(x[0])),
+        Row::new("rounds_three", |x| three(x[0])),
         Row::new("rounds_five", |x| {
             FIVE.get_or_init(|| Nearest::new(0.36, 0.002, 110, [0.846, 1.82, 0.249, 0.074])).at(x[0])
         }),

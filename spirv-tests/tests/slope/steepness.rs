@@ -39,43 +39,13 @@ fn asked(view: vec3f, mean_slope: vec2f, covariance: vec3f) -> ten {
         rounds(mean_slope + pair.z * factor.xy, slopes_covariance(factor, pair.w)));
 }";
 
-/// The lengths ν and the deviations σ of three, the middle one second, and the weight of either of the others, as
-/// `rice_three` reads them.
+/// ν and σ of three, the middle one first, and the weight of either of the others.
 const THREE: &str = "
-struct three { lengths: vec3f, sigmas: vec3f, weight: f32 }
+struct three { middle: vec2f, before: vec2f, behind: vec2f, weight: f32 }
 fn asked(view: vec3f, mean_slope: vec2f, covariance: vec3f) -> three {
-    let factor = slopes_factor(view, clamp(covariance, vec3f(-1e12), vec3f(1e12)));
-    let slope = clamp(mean_slope, vec2f(-1e6), vec2f(1e6));
-    let parameter = slopes_parameter(view, slope, factor);
-    let m = slopes_moments(parameter);
-    let visible = slopes_covariance(factor, m.y);
-    let d = footprint_deviations(visible);
-    let along = footprint_direction(visible);
-    let aside = vec2f(-along.y, along.x);
-    let p = slope + m.x * factor.xy;
-    let place = vec2f(dot(along, p), dot(aside, p));
-    let lean = vec2f(dot(along, factor.xy), dot(aside, factor.xy));
-    let third = slopes_skewness(parameter) * m.y * sqrt(m.y) * lean * lean * lean;
-    let part = clamp(d.y / max(d.x, 1e-30), rice_three_least, 1.0);
-    let sides = rounds_three(part);
-    let away = sqrt(1.0 - part * part) * sides.x * d.x;
-    let lever = max(max(sides.y * away * away, 0.02 * d.x * d.x), 1e-36);
-    let shift = clamp(third.x / (6.0 * lever), -0.2 * away, 0.2 * away);
-    let back = shift * 2.0 * sides.y / (1.0 - 2.0 * sides.y);
-    let whole = part * part * d.x * d.x;
-    // Less what the shift adds.
-    let v = vec2f(max(whole - shift * back, 0.25 * whole), d.y * d.y);
-    var lengths = vec3f();
-    var sigmas = vec3f();
-    for (var part = 0; part < 3; part++) {
-        let at = place + vec2f(f32(part - 1) * away + select(shift, -back, part == 1), 0.0);
-        let mean = dot(at, at) + v.x + v.y;
-        let spread = 2.0 * dot(v, v) + 4.0 * (dot(at * at, v) + at.y * third.y);
-        let rice = steepness_rice(mean, spread / (mean * mean));
-        lengths[part] = rice.x;
-        sigmas[part] = rice.y;
-    }
-    return three(lengths, sigmas, sides.y);
+    let parts = rice_split(view, mean_slope, covariance);
+    return three(steepness_rice(parts.squares.x, parts.shares.x), steepness_rice(parts.squares.y, parts.shares.y),
+        steepness_rice(parts.squares.z, parts.shares.z), parts.weight);
 }";
 
 /// ν, σ and weight of a distribution of Rice.
@@ -86,8 +56,8 @@ fn one(got: &[f64]) -> Vec<Rice> {
 }
 
 fn three(got: &[f64]) -> Vec<Rice> {
-    let weights = [got[6], 1.0 - 2.0 * got[6], got[6]];
-    weights.into_iter().enumerate().map(|(part, weight)| [got[part], got[3 + part], weight]).collect()
+    let weights = [1.0 - 2.0 * got[6], got[6], got[6]];
+    got.chunks(2).zip(weights).map(|(part, weight)| [part[0], part[1], weight]).collect()
 }
 
 fn ten(got: &[f64]) -> Vec<Rice> {
