@@ -1,6 +1,6 @@
 //! Tables of a map's means over the visible heights h = g(f) of a curve g, by mean and deviation of f.
 
-use super::balanced::balanced;
+use super::balanced::{balance, Nodes};
 use super::grid::{Axis, Spacing};
 use super::hiding::Hiding;
 use super::lattice::{half_rounded, rows, Lattice};
@@ -25,13 +25,17 @@ pub(crate) struct Plan<'a> {
     pub deviations: Axis,
 }
 
-/// The slices: log₂(1 + Λ) of the sum of Smith's Λ of view and light.
+/// The slices: log₂(1 + 4Λ) of the sum of Smith's Λ of view and light. Few views hide more than half of a surface, as
+/// they do at Λ = 1: half of the slices are below 8.
 pub(crate) const HIDING: Axis = Axis { low: 0.0, high: 10.0, count: 16, spacing: Spacing::Linear };
+
+/// What Λ is multiplied by there.
+pub(crate) const DENSER: f64 = 4.0;
 
 /// The largest such sum for which the error is measured, and the slices up to there. Beyond, rows err: what is visible
 /// is narrower than it moves between two of them.
 pub(crate) const COVERED: f64 = 100.0;
-const SLICES: usize = 11;
+const SLICES: usize = 14;
 
 impl Plan<'_> {
     /// The table, with its error as measured between texels for deviations from `floor` on and Λ up to [`COVERED`].
@@ -39,20 +43,22 @@ impl Plan<'_> {
         let lattice = Lattice([self.means, self.deviations, HIDING]);
         let bends = self.bends();
         let layers = Layers::new(self.map, self.curve, &bends, self.values());
-        let hiding = Hiding::new([1.0, 2.0, 3.0].map(lambda), HIDING.count);
-        let hull = self.hull();
+        let hiding = Hiding::new([1.0, 2.0, 3.0].map(lambda), 3.0 / DENSER, HIDING.count);
+        let [width, height, depth] = lattice.0.map(|axis| axis.count);
         let line = |row: usize| {
             let deviation = self.deviations.value(row as f64);
             let colors = |column: usize| layers.colors(self.means.value(column as f64), deviation, &hiding);
-            let columns: Vec<Vec<[f64; 4]>> =
-                (0..self.means.count).map(colors).map(|slices| balanced(&slices, hull)).collect();
-            let slices = (0..HIDING.count).flat_map(|slice| columns.iter().map(move |column| column[slice]));
-            slices.flat_map(|color| color.map(half_rounded)).collect()
+            let columns: Vec<Vec<[f64; 4]>> = (0..width).map(colors).collect();
+            let slices = (0..depth).flat_map(|slice| columns.iter().map(move |column| column[slice]));
+            slices.flat_map(|color| color.map(|channel| channel as f32)).collect()
         };
-        let lines = rows(self.deviations.count, line);
-        let (stride, slices) = (4 * self.means.count, HIDING.count);
-        let of = |slice: usize| (0..self.deviations.count).map(move |row| (row * slices + slice) * stride);
-        let texels: Vec<f32> = (0..slices).flat_map(of).flat_map(|at| lines[at..at + stride].iter().copied()).collect();
+        let lines = rows(height, line);
+        let stride = 4 * width;
+        let of = |slice: usize| (0..height).map(move |row| (row * depth + slice) * stride);
+        let mut texels: Vec<f32> =
+            (0..depth).flat_map(of).flat_map(|at| lines[at..at + stride].iter().copied()).collect();
+        self.balance(&mut texels, lattice);
+        texels.iter_mut().for_each(|texel| *texel = half_rounded(f64::from(*texel)));
         let error = self.error(lattice, &layers, &bends, &texels, floor);
         lattice.table(name, texels, error)
     }
@@ -63,7 +69,8 @@ impl Plan<'_> {
     /// word where the difference is largest.
     fn error(&self, lattice: Lattice, layers: &Layers<'_>, bends: &[f64], texels: &[f32], floor: f64) -> f32 {
         let Lattice([columns, deviations, _]) = lattice;
-        let judged = [0.5, 0.0].map(|before| Hiding::new([1.0, 2.0, 3.0].map(|slice| lambda(slice - before)), SLICES));
+        let judged = [0.5, 0.0]
+            .map(|before| Hiding::new([1.0, 2.0, 3.0].map(|slice| lambda(slice - before)), 3.0 / DENSER, SLICES));
         // Of many bends some stand for all: each costs as much as a column.
         let within = bends.iter().copied().filter(|at| (columns.low..=columns.high).contains(at));
         let some: Vec<f64> = within.step_by(bends.len().div_ceil(JUDGED[0]).max(1)).collect();
@@ -75,7 +82,7 @@ impl Plan<'_> {
             // Judged on other columns by the next line but one.
             let hiding = &judged[line / 2 % 2];
             let apart = |mean: f64, slice: usize, color: [f64; 4]| {
-                let third = (1.0 + hiding.lambdas()[slice]).log2();
+                let third = (1.0 + DENSER * hiding.lambdas()[slice]).log2();
                 let read = lattice.filtered(texels, [mean, deviation, third]);
                 read.iter().zip(color).map(|(read, truth)| (read - truth).abs()).fold(0.0, f64::max)
             };
@@ -93,6 +100,25 @@ impl Plan<'_> {
         rows(lines.len(), worst).into_iter().fold(0.0, f32::max)
     }
 
+    /// Balances the nodes between slices, and where f deviates by a column or more, so that colors are smooth along
+    /// both, between rows and columns, too.
+    fn balance(&self, texels: &mut [f32], lattice: Lattice) {
+        let [width, height, depth] = lattice.0.map(|axis| axis.count);
+        let (hull, column) = (self.hull(), self.means.value(1.0) - self.means.value(0.0));
+        let smooth = (0..height).find(|&row| self.deviations.value(row as f64) >= column).unwrap_or(height);
+        let (row, slice) = (width, width * height);
+        let mut along = |starts: &mut dyn Iterator<Item = usize>, count, step| {
+            starts.for_each(|start| balance(texels, Nodes { start, count, step }, hull));
+        };
+        along(&mut (0..slice), depth, slice);
+        // The row before is a neighbor.
+        let first = smooth.saturating_sub(1) * row;
+        let slices = || (0..depth).map(|number| number * slice + first);
+        along(&mut slices().flat_map(|start| (0..width).map(move |column| start + column)), height - first / row, row);
+        let smooth_rows = |start: usize| (smooth..height).map(move |number| start - first + number * row);
+        along(&mut slices().flat_map(smooth_rows), width, 1);
+    }
+
     /// Where the color bends as a function of f, and by how much its slope changes there.
     pub(crate) fn changes(map: &PiecewiseLinear, curve: &HeightTransfer, range: (f64, f64)) -> Vec<(f64, f64)> {
         let near = 1e-4 * (range.1 - range.0);
@@ -105,12 +131,13 @@ impl Plan<'_> {
     }
 
     /// The least and the largest color in every channel.
-    fn hull(&self) -> [[f64; 4]; 2] {
+    fn hull(&self) -> [[f32; 4]; 2] {
         let ends = || self.map.knots.iter().flat_map(|knot| [knot.1, knot.2]);
         let most = |of: fn(f64, f64) -> f64, from: f64| {
             ends().fold([from; 4], |sum, color| std::array::from_fn(|channel| of(sum[channel], color[channel])))
         };
-        [most(f64::min, f64::INFINITY), most(f64::max, f64::NEG_INFINITY)]
+        let ends = [most(f64::min, f64::INFINITY), most(f64::max, f64::NEG_INFINITY)];
+        ends.map(|end| end.map(|channel| channel as f32))
     }
 
     /// The lowest and the highest value that occur.
@@ -141,7 +168,7 @@ impl Plan<'_> {
 
 /// Λ at a slice's number.
 fn lambda(slice: f64) -> f64 {
-    HIDING.value(slice).exp2() - 1.0
+    (HIDING.value(slice).exp2() - 1.0) / DENSER
 }
 
 /// Where the color bends as a function of f.
@@ -180,7 +207,7 @@ mod tests {
         for strip in [0.0, 0.7, 39.0, 1e3].map(Strip::new) {
             for (mean, deviation) in [(0.31, 0.02), (-0.4, 0.3), (0.7, 0.5), (1.2, 0.2), (0.31, 0.0)] {
                 let expected = strip.color(&map, mean + deviation * strip.mean, deviation * strip.deviation);
-                let found = layers.colors(mean, deviation, &Hiding::new([strip.lambda; 3], 2))[1];
+                let found = layers.colors(mean, deviation, &Hiding::new([strip.lambda; 3], 3.0, 2))[1];
                 let apart = found.iter().zip(expected).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
                 assert!(apart < 2e-4, "{}, {mean}, {deviation}: {apart:e}", strip.lambda);
             }
@@ -200,7 +227,7 @@ mod tests {
             for [mean, deviation] in [[0.31, 0.05], [-0.4, 0.3], [0.7, 0.5], [1.2, 0.2], [0.31, 0.0]] {
                 for lambda in [0.0, 0.4, 5.0, 100.0, 1e4] {
                     let truth = plan.truth(&bends, mean, deviation, lambda);
-                    let found = layers.colors(mean, deviation, &Hiding::new([lambda; 3], 2))[1];
+                    let found = layers.colors(mean, deviation, &Hiding::new([lambda; 3], 3.0, 2))[1];
                     let apart = found.iter().zip(truth).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
                     assert!(apart < 2e-3, "{curve:?}, {mean}, {deviation}, {lambda}: {apart:e}");
                 }
@@ -223,7 +250,7 @@ mod tests {
             let layers = Layers::new(&map, curve, &bends, plan.values());
             for mean in [low, low + 0.03, low + 0.1] {
                 let truth = plan.truth(&bends, mean, 0.01, 5.0);
-                let found = layers.colors(mean, 0.01, &Hiding::new([5.0; 3], 2))[1];
+                let found = layers.colors(mean, 0.01, &Hiding::new([5.0; 3], 3.0, 2))[1];
                 let apart = found.iter().zip(truth).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
                 assert!(apart < 2e-3, "{curve:?}, {mean}: {apart:e}");
             }

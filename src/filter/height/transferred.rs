@@ -14,7 +14,7 @@ use crate::filter::height_transfer::{self, Nodes};
 use crate::filter::shared::statements;
 use crate::filter::texture::{color_type, number, swizzle, Filter};
 use crate::table::grid::{Axis, Spacing};
-use crate::table::transferred::{Plan, HIDING};
+use crate::table::transferred::{Plan, DENSER, HIDING};
 use crate::transfer::color_map::{ColorMap, Colors, MAX_COLOR};
 use crate::transfer::height_transfer::HeightTransfer;
 use crate::Error;
@@ -24,7 +24,7 @@ const MEANS: usize = 128;
 const DEVIATIONS: usize = 24;
 
 /// How many columns of the table a deviation of f covers from which on it is read; below, h is taken for normal.
-const NARROW: f64 = 1.5;
+const NARROW: f64 = 1.0;
 
 /// Colors by transferred heights.
 pub(crate) struct Transferred {
@@ -59,7 +59,7 @@ pub(crate) fn transferred(
     };
     let means = means.in_f32();
     let most = f64::from(ranges.deviation);
-    let deviations = Axis { low: 0.0, high: most, count: DEVIATIONS, spacing: Spacing::CubeRoot };
+    let deviations = Axis { low: 0.0, high: most, count: DEVIATIONS, spacing: Spacing::SquareRoot };
     let narrow = (NARROW * (means.high - means.low) / (MEANS - 1) as f64).min(0.25 * most);
     let table = Plan { map: &reference, curve, means, deviations }.table("table", 2.0 * narrow);
     let (lowest, highest) = curve.range(low - 2.0 * most, high + 2.0 * most);
@@ -111,11 +111,12 @@ fn around(map: Ranges, lowest: f32, highest: f32) -> Ranges {
 fn read([means, deviations]: [Axis; 2], lambda: &str) -> String {
     let numbers = |values: &[f64]| values.iter().map(|&value| number(value as f32)).collect::<Vec<_>>().join(", ");
     let column = numbers(&[means.low, means.high, means.count as f64]);
-    let row = numbers(&[deviations.high, deviations.count as f64]);
+    let row = numbers(&[0.0, deviations.high.sqrt(), deviations.count as f64]);
     let slice = numbers(&[HIDING.low, HIDING.high, HIDING.count as f64]);
-    let hiding = format!("log2(1.0 + clamp({lambda}, 0.0, 1e6))");
+    let hiding = format!("log2(1.0 + {} * clamp({lambda}, 0.0, 1e6))", number(DENSER as f32));
+    let root = "sqrt(max(deviation, 0.0))";
     let place =
-        format!("vec3f(grid_linear(mean, {column}), grid_cube_root(deviation, {row}), grid_linear({hiding}, {slice}))");
+        format!("vec3f(grid_linear(mean, {column}), grid_linear({root}, {row}), grid_linear({hiding}, {slice}))");
     format!("textureSampleLevel(table, table_sampler, {place}, 0.0)")
 }
 

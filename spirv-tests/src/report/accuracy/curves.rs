@@ -46,7 +46,7 @@ pub(super) fn raised(random: &mut Random, count: usize) -> Result<Case, Error> {
     let (curve, map) = (curve(random)?, map(random, 0.0, 1.0, false)?);
     let scene = Scene::new("judged").height(map.clone()).transfer(curve.clone());
     let Ranges { mean: (low, high), .. } = Ranges::of_transfer(&curve);
-    let pixels = curved(random, &curve, 3.01 * f64::from(high - low) / 120.0, count);
+    let pixels = curved(random, &curve, 2.01 * f64::from(high - low) / 120.0, count);
     let truth = Truth::Raised(map.reference(), curve);
     Ok(Case { filter: Filter::Raised, scene, finest: None, pixels, truth })
 }
