@@ -51,14 +51,15 @@ const rice_split_least = 0.55;
 ///   B = 2 (V² + F²) + 4 (p² V + r² F + r κ),
 /// with the part's mean (p, r) and variances V and F along and across the axis, and the third moment κ across it.
 ///
-/// Slope deviations beyond 1e6 and mean slopes beyond 1e6 count as that.
+/// Covariances are scaled to variances of 1e12 at most; components of mean slopes beyond 1e6 count as that.
 ///
 /// Source: `rounds_three`; the least part and the limit of the shift are those with the least largest
 /// error of a step for axes of ratios up to 2, which `spirv-tests/tests/slope/steepness.rs` measures.
 /// Domain: view unit upper, mean_slope in [-0.2, 0.2], covariance psd(0.15, 0.3, 0.5).
 /// Error: 8e-3 absolute; of `rounds_three`, where the deviations of the visible slopes differ by more than a tenth.
 fn rice_split(view: vec3f, mean_slope: vec2f, covariance: vec3f) -> rice_parts {
-    let factor = slopes_factor(view, clamp(covariance, vec3f(-1e12), vec3f(1e12)));
+    let limited = covariance * (1e12 / clamp(max(covariance.x, covariance.z), 1e12, 3e38));
+    let factor = slopes_factor(view, limited);
     let slope = clamp(mean_slope, vec2f(-1e6), vec2f(1e6));
     let parameter = slopes_parameter(view, slope, factor);
     let m = slopes_moments(parameter);

@@ -27,13 +27,14 @@ fn steepness_spread(parameter: f32) -> f32 {
 
 /// Mean of |s|² over the slopes that a view sees, and its variance over the square of that mean.
 ///
-/// Slope deviations beyond 1e6 and mean slopes beyond 1e6 count as that.
+/// Covariances are scaled to variances of 1e12 at most; components of mean slopes beyond 1e6 count as that.
 ///
 /// Source: the expansion above.
 /// Domain: view unit, mean_slope in [-1, 1], covariance psd(0.1, 2, 0.9).
 /// Error: 2e-4 relative; of the fits, f32 rounding where a mean slope is many deviations.
 fn steepness_moments(view: vec3f, mean_slope: vec2f, covariance: vec3f) -> vec2f {
-    let factor = slopes_factor(view, clamp(covariance, vec3f(-1e12), vec3f(1e12)));
+    let limited = covariance * (1e12 / clamp(max(covariance.x, covariance.z), 1e12, 3e38));
+    let factor = slopes_factor(view, limited);
     let slope = clamp(mean_slope, vec2f(-1e6), vec2f(1e6));
     let parameter = slopes_parameter(view, slope, factor);
     let m = slopes_moments(parameter);

@@ -189,3 +189,28 @@ fn steps_of_steepness_keep_their_figures() -> Outcome {
     }
     Ok(())
 }
+
+/// Scaled as a whole: a limit on each number by itself would turn any correlation into 1.
+#[test]
+fn huge_slopes_keep_their_shape() -> Outcome {
+    let device = Device::new()?;
+    // Over a level surface and from its horizon only lengths change with the size.
+    let sizes = [1e11, 1e12, 1e14, 1e20, 3e38];
+    let points = sizes.map(|size| [&[0.8, -0.6, 0.0, 0.0, 0.0][..], &single([size, -0.2 * size, 0.5 * size])].concat());
+    let whole = "fn asked(view: vec3f, mean_slope: vec2f, covariance: vec3f) -> rice_parts {
+        let square = steepness_moments(view, mean_slope, covariance);
+        let parts = rice_split(view, mean_slope, covariance);
+        return rice_parts(vec3f(square.x, parts.squares.xy), vec3f(square.y, parts.shares.xy), parts.weight);
+    }";
+    let got = Function::in_text(whole, "asked")?.results(&device, &[], &points)?;
+    assert_eq!(got.len(), sizes.len());
+    for (size, found) in sizes.into_iter().zip(&got) {
+        // Three squares, then their shares and the weight.
+        let scale = |number: usize| if number < 3 { size.min(1e12) / sizes[0] } else { 1.0 };
+        for (number, (found, small)) in found.iter().zip(&got[0]).enumerate() {
+            let part = found / (scale(number) * small);
+            assert!((part - 1.0).abs() <= 1e-5, "{size:e}: number {number} is {part} of what it should be");
+        }
+    }
+    Ok(())
+}
