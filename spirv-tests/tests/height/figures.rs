@@ -54,8 +54,9 @@ fn steps(tier: HeightTier) -> Result<(Scene, Vec<Call>), Fault> {
         let z = (0.5 * std::f64::consts::FRAC_1_SQRT_2 / std::f64::consts::PI.sqrt() / (lambda + 0.5)) as f32;
         let view = [(1.0 - z * z).sqrt(), 0.0, z];
         let [visible, ..] = moments(lambda);
-        // And at the mean of the visible, where two tails meet.
-        let heights = (-60..=100).map(|at| 0.05 * at as f32).chain([-1e-4, 1e-4].map(|off| visible as f32 + off));
+        // So near each other that each tier's worst is met to a hundredth: steps of 0.05 took 3 % off that of shorter
+        // tails. And at the mean of the visible, where two tails meet.
+        let heights = (-240..=400).map(|at| 0.0125 * at as f32).chain([-1e-4, 1e-4].map(|off| visible as f32 + off));
         calls.extend(heights.map(|at| Call::new(-at, 1.0, [0.25, 0.0, 0.25], view, [0.0, 0.0, 1.0])));
     }
     Ok((scene, calls))
@@ -120,7 +121,7 @@ fn worst_steps_keep_the_figures_of_their_tiers() -> Outcome {
         println!("{tier}: a step errs by {:.3e} for lambda up to 100, {:.3e} up to 1e4", found[0], found[1]);
         assert!(found[0] <= near && found[1] <= far, "{tier}: {found:?}");
         // Rounding may be less on other devices.
-        let slack = if tier == HeightTier::Exact { 4.0 } else { 1.04 };
+        let slack = if tier == HeightTier::Exact { 4.0 } else { 1.03 };
         assert!(found[1] * slack >= far, "{tier}: {found:?}, {far} is too wide");
     }
     Ok(())
