@@ -19,6 +19,9 @@ pub const FILL: usize = 100_000;
 /// A promise may be this many times wider than what is measured on the pinned driver.
 pub const SLACK: f64 = 4.0;
 
+/// Below so many times the least normal number, steps on the way to a result may have been flushed.
+const FLUSHED: f64 = 64.0;
+
 /// One point with what the device and the reference say.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Case {
@@ -214,12 +217,12 @@ fn worst(promise: Promise, row: &Row, points: &[Vec<f64>], results: &[Vec<f64>])
 
 /// The largest distance of two results in the promise's measure; infinite where one is NaN or a component is missing.
 ///
-/// WGSL lets a device flush subnormal results: a zero in place of one is no error.
+/// WGSL lets a device flush subnormal results of every step: near the least normal number a zero is no error.
 pub(crate) fn error(promise: Promise, got: &[f64], expected: &[f64]) -> f64 {
     if got.len() != expected.len() {
         return f64::INFINITY;
     }
-    let normal = f64::from(f32::MIN_POSITIVE);
+    let normal = FLUSHED * f64::from(f32::MIN_POSITIVE);
     let largest = expected.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
     let scale = match promise {
         Promise::Relative(_) => largest.max(normal),

@@ -111,14 +111,16 @@ fn an_unwritten_output_fails() {
 }
 
 #[test]
-fn a_device_may_flush_subnormal_results_but_no_others() {
+fn a_device_may_flush_subnormal_steps_but_no_others() {
     let tiny = Row::new("double", |x| [x[0]]);
     let compared = |expected: f64, got: f64| {
         compare(&good(), Promise::Relative(1e-6), &tiny, &[vec![expected]], &[vec![got]])
             .map(|judged| judged.worst.error)
     };
     assert_eq!(compared(1.1e-38, 0.0), Ok(0.0));
-    assert!(matches!(compared(1.2e-38, 0.0), Err(Failure::Broken(_))));
+    // A factor of the result may have been subnormal.
+    assert_eq!(compared(7e-37, 0.0), Ok(0.0));
+    assert!(matches!(compared(8e-37, 0.0), Err(Failure::Broken(_))));
     assert!(matches!(compared(1.1e-38, 1e-37), Err(Failure::Broken(_))));
     assert!(matches!(compared(1.1e-38, f64::NAN), Err(Failure::Broken(_))));
 }

@@ -42,7 +42,7 @@ fn gabor_spectrum_of(frequency: vec2f, azimuth: vec2f, height: vec2f) -> gabor_s
 ///
 /// Source: Lagae and Drettakis 2011, "Filtering Solid Gabor Noise", section 3.3, with ranges.
 /// Domain: words integer in [0, 4294967295], spectrum from gabor_spectrum_of.
-/// Error: 2e-6 absolute; f32 rounding.
+/// Error: 4e-6 absolute; f32 rounding.
 fn gabor_spectrum_frequency(words: vec2u, spectrum: gabor_spectrum) -> vec3f {
     let parts = vec3f(vec3u(words.x >> 16u, words.x & 65535u, words.y & 65535u));
     let azimuth = spectrum.azimuth.x + parts.x * spectrum.azimuth.y;

@@ -10,7 +10,8 @@
 fn lattice_corners(position: vec2f, period: vec2f) -> vec4f {
     let tile = clamp(floor(period), vec2f(), vec2f(1e9));
     let low = clamp(floor(position), vec2f(-1e9), vec2f(1e9));
-    let wrapped = low - tile * floor(low / max(tile, vec2f(1.0)));
+    // Half a point keeps quotients off whole numbers: a device may divide 2.5 units in the last place too low.
+    let wrapped = low - tile * floor((low + 0.5) / max(tile, vec2f(1.0)));
     let near = select(low, wrapped, tile >= vec2f(1.0));
     let far = near + 1.0;
     return vec4f(near, select(far, vec2f(), far == tile));

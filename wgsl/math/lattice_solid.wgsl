@@ -8,7 +8,8 @@
 fn lattice_solid_wrapped(place: vec3f, period: vec3f) -> vec3f {
     let tile = clamp(floor(period), vec3f(), vec3f(1e9));
     let whole = clamp(floor(place), vec3f(-1e9), vec3f(1e9));
-    let wrapped = whole - tile * floor(whole / max(tile, vec3f(1.0)));
+    // Half a point keeps quotients off whole numbers: a device may divide 2.5 units in the last place too low.
+    let wrapped = whole - tile * floor((whole + 0.5) / max(tile, vec3f(1.0)));
     return select(whole, wrapped, tile >= vec3f(1.0));
 }
 

@@ -9,6 +9,7 @@ mod footprints;
 mod noises;
 mod periods;
 mod plane;
+mod quotients;
 mod slope_figures;
 mod slopes;
 mod solid;

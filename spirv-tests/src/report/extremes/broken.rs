@@ -25,7 +25,8 @@ pub fn items(bench: &Bench<'_>) -> Result<Vec<Item>, Error> {
         "Each formula as textbooks have it, beside the function of the shelf for the same quantity: where the \
          textbook's errs most, what both return on the device, and the largest error of both over a few points, in the \
          measure in which the shelf promises its own. A test asks of every row that the shelf keeps its promise and \
-         that the textbook's form is off by more than {WORSE} times that much."
+         that the textbook's form is off by more than {WORSE} times that much; the sine of a large phase is not on \
+         every device."
     );
     let columns =
         ["formula", "instead", "at", "truth", "textbook", "shelf", "textbook error", "shelf error", "promise"];

@@ -105,6 +105,11 @@ impl Formula {
         }
     }
 
+    /// Whether it breaks by what WGSL permits a device's own functions, which some keep better.
+    pub fn is_the_devices(self) -> bool {
+        self == Self::Wave
+    }
+
     /// The function of the shelf for the quantity.
     pub fn shelf(self) -> &'static str {
         match self {
