@@ -9,6 +9,40 @@ use prefilter::Error;
 /// Turns that a ratio of two kernels is stated from.
 pub const TURNS: usize = 31;
 
+/// At most so many invocations are timed: more than a GPU takes at once by some times.
+const MOST: usize = 1 << 21;
+
+/// An invocation's time that falls by less than a tenth with four times as many is that of a device that is full.
+const FULL: f64 = 0.9;
+
+/// A kernel over so many invocations that more take no less time each, and how many: `from`, or four times as many as
+/// often as that makes each a tenth cheaper. `prepare` is told how many.
+///
+/// # Errors
+/// What the device refuses.
+pub fn filling(from: usize, prepare: impl Fn(usize) -> Result<Dispatch, Error>) -> Result<(Dispatch, usize), Error> {
+    let of = |count: usize| -> Result<(Dispatch, f64), Error> {
+        let dispatch = prepare(count)?;
+        dispatch.time()?;
+        let each = dispatch.time()?.min(dispatch.time()?) / count as f64;
+        Ok((dispatch, each))
+    };
+    let (mut count, mut best) = (from, of(from)?);
+    while 4 * count <= MOST {
+        let more = of(4 * count)?;
+        if more.1 > FULL * best.1 {
+            break;
+        }
+        (count, best) = (4 * count, more);
+    }
+    Ok((best.0, count))
+}
+
+/// `count` points of the numbers of `points`, over and over.
+pub fn repeated(numbers: &[f32], points: usize, count: usize) -> Vec<f32> {
+    numbers.iter().copied().cycle().take(count * numbers.len() / points).collect()
+}
+
 /// Seconds of the fastest of `turns` runs of each kernel, which take turns, backwards in every other round, after one
 /// that is not timed.
 ///

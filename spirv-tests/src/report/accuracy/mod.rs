@@ -13,6 +13,7 @@ mod values;
 
 use prefilter::gpu::Device;
 
+use super::cache::Cache;
 use super::document::{Axis, Item, Plot, Section, Series, Table};
 use super::{Bench, Error, Extent};
 use crate::gap::figure::over_seeds;
@@ -21,7 +22,7 @@ use tally::Tally;
 use trial::{trial, Trial};
 
 /// Scenes between two steps of the progress bar.
-const CHUNK: usize = 20;
+const CHUNK: u64 = 20;
 
 /// Scenes in all, and the share of the usual pixels of each.
 fn plan(extent: Extent) -> (usize, f64) {
@@ -30,29 +31,27 @@ fn plan(extent: Extent) -> (usize, f64) {
 
 /// Steps of the progress bar.
 pub fn steps(extent: Extent) -> u64 {
-    plan(extent).0.div_ceil(CHUNK) as u64
+    (plan(extent).0 as u64).div_ceil(CHUNK)
 }
 
-/// Judges scenes of numbers from `first` on; `done` is called after every twenty.
+/// Judges scenes of numbers from `first` on, whose truths are kept; `done` is called after one in twenty.
 ///
 /// # Errors
 /// Those of the scenes and of the device.
 pub fn trials(
-    device: &Device,
+    (device, cache): (&Device, &Cache),
     first: u32,
     (count, density): (usize, f64),
-    done: &dyn Fn(u64),
+    done: &(dyn Fn(u64) + Sync),
 ) -> Result<Vec<Trial>, prefilter::Error> {
-    let mut all = Vec::new();
-    while all.len() < count {
-        let from = all.len();
-        let chunk = over_seeds(CHUNK.min(count - from), |number| {
-            trial(device, first + (from + number as usize) as u32, density)
-        });
-        all.extend(chunk.into_iter().collect::<Result<Vec<_>, _>>()?);
-        done(1);
-    }
-    Ok(all)
+    let all = over_seeds(count, |number| {
+        let judged = trial(device, cache, first + number as u32, density);
+        if number % CHUNK == 0 {
+            done(1);
+        }
+        judged
+    });
+    all.into_iter().collect()
 }
 
 /// What came of random scenes with random budgets.
@@ -61,7 +60,7 @@ pub fn trials(
 /// Those of the scenes and of the device.
 pub fn section(bench: &Bench<'_>) -> Result<Section, Error> {
     let (count, density) = plan(bench.extent);
-    let trials = trials(bench.device, 0, (count, density), bench.done)?;
+    let trials = trials((bench.device, bench.cache), 0, (count, density), bench.done)?;
     let whole = Tally::new(&trials.iter().collect::<Vec<_>>());
     let share = match whole.cheaper {
         Some((cheaper, counted)) => format!("{:.1} % of {counted}", 100.0 * cheaper as f64 / counted as f64),

@@ -4,7 +4,7 @@ use super::fit::{fit, rank_correlation, Fit};
 use crate::exports::ExportKernel;
 use crate::random::Random;
 use crate::report::document::{Axis, Cell, Item, Plot, Series, Table};
-use crate::report::timing::{fastest, TURNS};
+use crate::report::timing::{fastest, filling, repeated, TURNS};
 use crate::report::{Bench, Error};
 use crate::scenes;
 use prefilter::{Export, Module};
@@ -12,7 +12,7 @@ use prefilter::{Export, Module};
 /// Kernels, and times.
 pub const STEPS: u64 = 2;
 
-/// Pixels whose time is taken.
+/// Random pixels, whose time is taken over and over where a device holds more.
 const PIXELS: usize = 1 << 12;
 
 /// A module's most expensive export, where it reads no tables but the module's own: with a driver what finds the
@@ -74,11 +74,14 @@ fn width(kind: &str) -> usize {
 pub fn items(bench: &Bench<'_>) -> Result<Vec<Item>, Error> {
     let scenes = scenes::all().map_err(|error| Error::Map(error.to_string()))?;
     let mut kept: Vec<(&str, Module)> = Vec::new();
-    let mut dispatches = Vec::new();
+    let (mut dispatches, mut counts) = (Vec::new(), Vec::new());
     for (name, scene) in scenes.into_iter().step_by(bench.extent.pick(4, 1)) {
         let module = scene.module()?;
         let Some(export) = heaviest(&module) else { continue };
-        dispatches.push(ExportKernel::new(bench.timed, &module, &export)?.prepare(&points(&export))?);
+        let (kernel, numbers) = (ExportKernel::new(bench.timed, &module, &export)?, points(&export));
+        let (dispatch, count) = filling(PIXELS, |count| kernel.prepare(&repeated(&numbers, PIXELS, count)))?;
+        dispatches.push(dispatch);
+        counts.push(count);
         kept.push((name, module));
     }
     (bench.done)(1);
@@ -86,8 +89,8 @@ pub fn items(bench: &Bench<'_>) -> Result<Vec<Item>, Error> {
     (bench.done)(1);
     let pairs: Vec<[f64; 2]> = kept
         .iter()
-        .zip(&seconds)
-        .map(|((_, module), seconds)| [module.cost().weight() as f64, 1e9 * seconds / PIXELS as f64])
+        .zip(seconds.iter().zip(counts))
+        .map(|((_, module), (seconds, count))| [module.cost().weight() as f64, 1e9 * seconds / count as f64])
         .collect();
     let row = |((name, module), pair): (&(&str, Module), &[f64; 2])| -> Vec<Cell> {
         let cost = module.cost();

@@ -1,7 +1,7 @@
 //! What functions cost, in multiply-adds, beside what they count as where tiers are chosen.
 
 use crate::report::document::{Cell, Item, Table};
-use crate::report::timing::{fastest, TURNS};
+use crate::report::timing::{fastest, filling, repeated, TURNS};
 use crate::report::{Bench, Error};
 use prefilter::gpu::{Address, Dispatch, Kernel, Texture, Work};
 use prefilter::table::{Format, Level, Sampling};
@@ -9,7 +9,7 @@ use prefilter::table::{Format, Level, Sampling};
 /// Kernels, and times.
 pub const STEPS: u64 = 2;
 
-/// Invocations, and turns of a loop of four statements.
+/// At least so many invocations are timed, of a loop of so many turns of four statements.
 const INVOCATIONS: usize = 1 << 12;
 const LOOPS: usize = 16;
 const STATEMENTS: usize = 4;
@@ -103,16 +103,21 @@ pub fn items(bench: &Bench<'_>) -> Result<Vec<Item>, Error> {
         textures.iter().map(|table| bench.timed.upload(table, Address::Mirror)).collect::<Result<_, _>>()?;
     let textures: Vec<&Texture> = textures.iter().collect();
     let numbers: Vec<f32> = (0..4 * INVOCATIONS).map(|at| 0.9 + 0.2 * (at as f32 * 0.754_878).fract()).collect();
-    let dispatch = |statements: &str| -> Result<Dispatch, Error> {
-        let work = Work { inputs: &[&numbers], textures: &textures, invocations: INVOCATIONS, output: 4 * INVOCATIONS };
-        Ok(Kernel::new(bench.timed, &text(statements), "main")?.prepare(&work)?)
+    let over = |kernel: &Kernel, count: usize| {
+        let numbers = repeated(&numbers, INVOCATIONS, count);
+        kernel.prepare(&Work { inputs: &[&numbers], textures: &textures, invocations: count, output: 4 * count })
     };
+    let kernel = |statements: &str| Kernel::new(bench.timed, &text(statements), "main");
+    let bare = kernel(&statements("v", STATEMENTS))?;
+    // Times are compared by their differences: all are of as many as fill the device with the least to do.
+    let (bare, invocations) = filling(INVOCATIONS, |count| over(&bare, count))?;
+    let dispatch = |statements: &str| -> Result<Dispatch, Error> { Ok(over(&kernel(statements)?, invocations)?) };
     let all: Vec<(&str, &str, bool)> = FUNCTIONS
         .map(|(name, expression)| (name, expression, false))
         .into_iter()
         .chain(FETCHES.map(|(name, expression)| (name, expression, true)))
         .collect();
-    let mut dispatches = vec![dispatch(&statements("v", STATEMENTS))?, dispatch(&statements("v", 5 * STATEMENTS))?];
+    let mut dispatches = vec![bare, dispatch(&statements("v", 5 * STATEMENTS))?];
     for (_, expression, _) in &all {
         dispatches.push(dispatch(&statements(expression, STATEMENTS))?);
     }

@@ -6,7 +6,7 @@ use prefilter::gpu::Device;
 use prefilter::{Error, Module};
 
 /// Strata along each side of the unit square.
-pub const SIDES: [usize; 6] = [1, 2, 4, 8, 16, 32];
+pub const SIDES: [usize; 7] = [1, 2, 4, 8, 16, 32, 64];
 
 /// What a sample is, and what it counts.
 #[derive(Clone, Debug)]

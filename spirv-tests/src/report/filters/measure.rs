@@ -8,7 +8,7 @@ use crate::exports::ExportKernel;
 use crate::gap::figure::{over_seeds, Figure};
 use crate::imaging::measure::{sizes, worst};
 use crate::random::Random;
-use crate::report::timing::{fastest, TURNS};
+use crate::report::timing::{fastest, filling, repeated, TURNS};
 use crate::report::{Bench, Error};
 use prefilter::gpu::Dispatch;
 
@@ -23,12 +23,6 @@ const DRIVEN: usize = 1 << 13;
 
 /// Of samples at least so many pixels are timed.
 const LEAST: usize = 64;
-
-/// At most so many pixels are timed.
-const MOST: usize = 1 << 20;
-
-/// A pixel's time that falls by less than a tenth with four times the pixels is that of a device that is full.
-const FULL: f64 = 0.9;
 
 /// The sizes of a row's errors, and its time.
 #[derive(Clone, Copy, Debug)]
@@ -111,52 +105,27 @@ struct Run {
 
 /// All rows, all counts of samples, and the naive and the default row behind a driver.
 fn runs(bench: &Bench<'_>, case: &Case, all: &[Pixel]) -> Result<Vec<Run>, Error> {
-    let run = |kernel: &ExportKernel, points: &dyn Fn(&[Pixel]) -> Vec<f32>, pixels: usize| -> Result<Run, Error> {
-        let (timed, pixels) = full(kernel, all, points, pixels)?;
-        Ok(Run { colors: kernel.run(&points(all))?, timed, pixels })
+    let run = |kernel: &ExportKernel, numbers: &[f32], pixels: usize| -> Result<Run, Error> {
+        let (timed, pixels) = filling(pixels, |count| kernel.prepare(&repeated(numbers, all.len(), count)))?;
+        Ok(Run { colors: kernel.run(numbers)?, timed, pixels })
     };
     let mut runs = Vec::new();
     for row in &case.rows {
         let kernel = row.kernel(bench.timed)?;
-        runs.push(run(&kernel, &|pixels| row.points(&kernel, pixels), TIMED)?);
+        runs.push(run(&kernel, &row.points(&kernel, all), TIMED)?);
     }
     let kernel = case.brute.kernel(bench.timed)?;
     for side in SIDES {
         let few = (TIMED / (side * side)).max(LEAST);
-        runs.push(run(&kernel, &|pixels| Brute::points(&kernel, pixels, side, 1), few)?);
+        runs.push(run(&kernel, &Brute::points(&kernel, all, side, 1), few)?);
     }
     let chosen = case.rows.iter().find(|row| row.default);
     let slopes = chosen.map_or(Ok(false), |row| row.kernel(bench.timed).map(|kernel| takes_slopes(&kernel)))?;
     for row in case.rows.first().into_iter().chain(chosen) {
         let kernel = driven(bench.timed, row, slopes)?;
-        runs.push(run(&kernel, &|pixels| row.points(&kernel, pixels), DRIVEN)?);
+        runs.push(run(&kernel, &row.points(&kernel, all), DRIVEN)?);
     }
     Ok(runs)
-}
-
-/// The kernel over so many pixels that more take no less time each, from a number on.
-fn full(
-    kernel: &ExportKernel,
-    all: &[Pixel],
-    points: &dyn Fn(&[Pixel]) -> Vec<f32>,
-    from: usize,
-) -> Result<(Dispatch, usize), Error> {
-    let of = |count: usize| -> Result<(Dispatch, f64), Error> {
-        let pixels: Vec<Pixel> = all.iter().copied().cycle().take(count).collect();
-        let dispatch = kernel.prepare(&points(&pixels))?;
-        dispatch.time()?;
-        let each = dispatch.time()?.min(dispatch.time()?) / count as f64;
-        Ok((dispatch, each))
-    };
-    let (mut count, mut best) = (from, of(from)?);
-    while 4 * count <= MOST {
-        let more = of(4 * count)?;
-        if more.1 > FULL * best.1 {
-            break;
-        }
-        (count, best) = (4 * count, more);
-    }
-    Ok((best.0, count))
 }
 
 /// Random pixels, seed by seed.

@@ -103,7 +103,7 @@ pub fn plot(filter: &str, case: &Case, measured: &Measured) -> Plot {
         joined: false,
     });
     let samples = Series {
-        label: "1 to 1024 stratified samples".to_owned(),
+        label: "1 to 4096 stratified samples".to_owned(),
         points: measured.brute.iter().map(|(_, sizes)| point(sizes)).collect(),
         joined: true,
     };
