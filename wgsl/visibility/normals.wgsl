@@ -72,8 +72,8 @@ fn normals_gaussian(
 }
 
 /// Means over the normals of the slopes that a view sees; where it sees none, those of the mean of what it sees last.
-/// For views from 5 degrees above the mean plane on: flatter ones see slopes beyond 3. Covariances are scaled to
-/// variances of 1e4 at most, alike for all that is seen and for what a Gaussian leaves of it.
+/// For views from 5 degrees above the plane and the mean surface on, and deviations up to 1 along any axis: others see
+/// slopes beyond 3. Covariances are scaled to variances of 1e4 at most, for all that is seen and for each Gaussian's.
 ///
 /// Source: Heitz et al. 2014, "Filtering Non-Linear Transfer Functions on Surfaces", section 5.3, for order 2.
 /// Domain: view unit upper, mean_slope in [-0.3, 0.3], covariance psd(0.05, 1, 0.9).
@@ -102,7 +102,7 @@ fn normals_visible(view: vec3f, mean_slope: vec2f, covariance: vec3f) -> normals
     return normals_gaussian(m, view, mean_slope, c, area, rates.w, w.w, q.w);
 }
 
-/// The same by three Gaussians, which miss up to 3.5e-3 for |s| up to 2.5; for the same views.
+/// The same by three Gaussians, which miss up to 3.5e-3 for |s| up to 2.5; for the same views and deviations.
 ///
 /// Source: as `normals_visible`.
 /// Domain: view unit upper, mean_slope in [-0.3, 0.3], covariance psd(0.05, 1, 0.9).
@@ -131,6 +131,7 @@ fn normals_visible_fast(view: vec3f, mean_slope: vec2f, covariance: vec3f) -> no
 }
 
 /// The same by five slopes: the mean of the visible ones and, with a sixth of the weight each, those √3 deviations off.
+/// For the same views, and deviations up to 0.3 along any axis.
 ///
 /// Source: Julier and Uhlmann 1997, "A New Extension of the Kalman Filter to Nonlinear Systems", for two variables.
 /// Domain: view unit upper, mean_slope in [-0.3, 0.3], covariance psd(0.05, 0.3, 0.9).

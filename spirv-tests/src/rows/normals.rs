@@ -1,5 +1,6 @@
 //! Visible normals: means by quadrature over the visible slopes, and frames by sums over indices.
 
+use prefilter::reference::footprint::deviations;
 use prefilter::reference::normals::{average, means, of_slope};
 use prefilter::reference::slopes::{standard, Visible};
 
@@ -43,9 +44,28 @@ fn gaussian(x: &[f64]) -> [f64; 9] {
     plus(x, added, share * weight, share * square_weight)
 }
 
-/// The view is 5 degrees or more above the mean plane.
-fn elevated(x: &[f64]) -> bool {
-    x[2] >= 0.0872
+/// The view is 5 degrees or more above the plane and above the mean surface, and slopes deviate by no more than `most`
+/// along any axis.
+fn covered(x: &[f64], most: f64) -> bool {
+    let visible = seen(x);
+    let [sx, sy] = visible.mean;
+    let above = visible.rise() / (1.0 + sx * sx + sy * sy).sqrt();
+    x[2].min(above) >= 0.0872 && deviations(visible.covariance)[0] <= most
+}
+
+/// Views 5 degrees above the plane and the mean surface: of round and of long slopes with the largest deviation, along
+/// and aslant, over level and tilted surfaces.
+fn ends(most: f64) -> [[f64; 8]; 6] {
+    let [v, long, both] = [most * most, most * most / 1.9, 0.9 * most * most / 1.9];
+    let (far, low) = (0.99618, 0.0873);
+    [
+        [far, 0.0, low, 0.0, 0.0, v, 0.0, v],
+        [far, 0.0, low, 0.0, 0.0, v, 0.0, 0.0025],
+        [far, 0.0, low, 0.0, 0.0, 0.0025, 0.0, v],
+        [far, 0.0, low, -0.3, 0.3, long, both, long],
+        [0.6 * far, 0.8 * far, low, -0.3, -0.3, long, both, long],
+        [0.6 * far, 0.8 * far, low, 0.0, -0.3, long, -both, long],
+    ]
 }
 
 pub(super) fn rows() -> Vec<Row> {
@@ -56,8 +76,8 @@ pub(super) fn rows() -> Vec<Row> {
             std::array::from_fn::<_, 9, _>(|at| x[at] + x[11] * normal[at])
         }),
         Row::new("normals_gaussian", gaussian),
-        Row::new("normals_visible", |x| means(&seen(x))).only_where(elevated),
-        Row::new("normals_visible_fast", |x| means(&seen(x))).only_where(elevated),
-        Row::new("normals_visible_points", |x| means(&seen(x))).only_where(elevated),
+        Row::new("normals_visible", |x| means(&seen(x))).at(ends(1.0)).only_where(|x| covered(x, 1.0)),
+        Row::new("normals_visible_fast", |x| means(&seen(x))).at(ends(1.0)).only_where(|x| covered(x, 1.0)),
+        Row::new("normals_visible_points", |x| means(&seen(x))).at(ends(0.3)).only_where(|x| covered(x, 0.3)),
     ]
 }

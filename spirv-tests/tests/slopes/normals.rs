@@ -8,14 +8,15 @@ use prefilter::reference::slopes::Visible;
 use spirv_tests::gap::figure::over_seeds;
 use spirv_tests::kernel::Function;
 use spirv_tests::random::Random;
+use spirv_tests::rows::{self, Row};
 
 /// Points of a seed, and seeds.
 const POINTS: usize = 500;
 const SEEDS: usize = 12;
 
-/// Views from 5 degrees above the mean surface and the plane, mean slopes to 0.3 on each axis, deviations from
-/// 0.05 up to the largest along any axis, correlations up to 0.9; a third of each at its ends.
-fn points(seed: u64, most: f64) -> Vec<Vec<f64>> {
+/// Views from 5 degrees above the plane, mean slopes to 0.3 on each axis, deviations from 0.05 up to the largest along
+/// either axis, correlations up to 0.9, a third of each at its ends: those of them that the contract is about.
+fn points(row: &Row, seed: u64, most: f64) -> Vec<Vec<f64>> {
     let mut random = Random::new(seed as u32);
     let mut ended = |low: f64, high: f64| {
         let between = low + (high - low) * random.unit();
@@ -33,26 +34,19 @@ fn points(seed: u64, most: f64) -> Vec<Vec<f64>> {
     let mut all = Vec::new();
     while all.len() < POINTS {
         let point: Vec<f64> = point();
-        if covered(&point, most) {
+        if row.judges(&point) {
             all.push(point);
         }
     }
     all
 }
 
-/// Whether bounds are said to hold there.
-fn covered(point: &[f64], most: f64) -> bool {
-    let &[x, y, z, sx, sy, xx, xy, yy] = point else { return false };
-    let along = 0.5 * (xx + yy) + (0.25 * (xx - yy).powi(2) + xy * xy).sqrt();
-    let height = (z - x * sx - y * sy) / (1.0 + sx * sx + sy * sy).sqrt();
-    along <= most * most && height >= 0.0872
-}
-
 /// The largest errors of the mean of n, as a length, and of the mean of n nᵀ, as the root of the sum of the squares of
 /// its nine components.
 fn errors(device: &Device, name: &str, most: f64) -> Result<[f64; 2], String> {
     let function = Function::shelf()?.into_iter().find(|function| function.name == name).ok_or("no function")?;
-    let points: Vec<Vec<Vec<f64>>> = (0..SEEDS as u64).map(|seed| points(seed, most)).collect();
+    let row = rows::all().into_iter().find(|row| row.name == name).ok_or("no row")?;
+    let points: Vec<Vec<Vec<f64>>> = (0..SEEDS as u64).map(|seed| points(&row, seed, most)).collect();
     let found = function.results(device, &[], &points.concat())?;
     let truths = over_seeds(SEEDS, |seed| {
         let truth = |point: &Vec<f64>| {
