@@ -1,22 +1,23 @@
 //! What a call costs, counted on naga's own representation.
 //!
 //! The unit is a multiply-add of single numbers. Functions count by the throughput that GPUs document, and what those
-//! are made of: a table that is chosen by counts of one kind of device is chosen on all. Measured beside each other,
-//! by chains of four numbers on llvmpipe (LLVM 15, 256 bits; `cargo xtask report --only costs` measures them anew):
+//! are made of; a fetch counts by the times of modules. Measured beside each other, by chains of four numbers on
+//! llvmpipe (LLVM 15, 256 bits) and on an NVIDIA H100 (`cargo xtask report --only costs` measures them anew):
 //!
-//! | function | counts as | llvmpipe |
-//! |---|---|---|
-//! | exp2, log2 | 4 | 5.6, 8.4 |
-//! | 1/x, x/y, sqrt, inverseSqrt | 4 | 2.0, 2.0, 2.7, 4.8 |
-//! | sin | 4 | 11 |
-//! | exp, log | 5 | 6.3, 9.1 |
-//! | pow, tanh | 9 | 15, 13 |
-//! | atan, atan2, asin | 16 | 11, 17, 8 |
-//! | a filtered fetch of four halves | 64 | 69, from a volume 112 |
+//! | function | counts as | llvmpipe | H100 |
+//! |---|---|---|---|
+//! | exp2, log2 | 4 | 5.6, 8.4 | 6.3, 6.3 |
+//! | 1/x, x/y, sqrt, inverseSqrt | 4 | 2.0, 2.0, 2.7, 4.8 | 6.3 each |
+//! | sin | 4 | 11 | 6.3 |
+//! | exp, log | 5 | 6.3, 9.1 | 6.3, 6.2 |
+//! | pow, tanh | 9 | 15, 13 | 14, 12 |
+//! | atan, atan2, asin | 16 | 11, 17, 8 | 19, 53, 18 |
+//! | a filtered fetch of four halves | 160 | 69, from a volume 112 | 28, from a volume 79 |
 //!
-//! On llvmpipe weights and times of 92 modules have a rank correlation of 0.92. The fit of those times has a fetch at
-//! 174 operations, as tables are read here and there and not always at one texel: closed forms cost as much as tables
-//! at 7 to 10 stops, where by weight they do at 2 to 3.
+//! In modules a fetch takes longer than in a chain, as tables are read here and there and not always at one texel: the
+//! fits with the least relative errors have it at 173 operations on llvmpipe and at 143 on the H100. With 160, weights
+//! and times have rank correlations of 0.956 and 0.977 there; with 64, the throughputs' quotient, of 0.938 and 0.919.
+//! Closed forms cost as much as tables at 7 to 10 stops on both.
 
 use std::collections::BTreeMap;
 
@@ -39,7 +40,7 @@ pub struct Cost {
 }
 
 impl Cost {
-    /// One number to compare by: a fetch weighs as much as 64 operations.
+    /// One number to compare by: a fetch weighs as much as 160 operations.
     pub fn weight(self) -> usize {
         self.operations + FETCH * self.fetches
     }
@@ -66,11 +67,8 @@ impl std::fmt::Display for Cost {
     }
 }
 
-/// Operations that a filtered fetch of halves is worth, by the throughputs of one streaming multiprocessor: 128
-/// multiply-adds and, of four halves, 2 filtered fetches a clock.
-///
-/// By the times of llvmpipe it would be 174.
-const FETCH: usize = 64;
+/// Operations that a filtered fetch of halves is worth, between what times of modules say on llvmpipe and on a GPU.
+const FETCH: usize = 160;
 
 /// The cost of calling a function, if there is one; `trips` gives the iterations of the loops in a function, by its
 /// name.
