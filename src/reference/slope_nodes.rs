@@ -64,7 +64,13 @@ pub struct Ends(Vec<End>);
 impl Ends {
     /// So many parts of each deviation.
     pub fn even(parts: usize) -> Self {
-        Self((0..=2 * FAR as usize * parts).map(|index| end(index as f64 / parts as f64 - FAR)).collect())
+        Self::within(FAR as usize, parts)
+    }
+
+    /// The same up to so many deviations from the mean, beyond which nothing is.
+    pub fn within(deviations: usize, parts: usize) -> Self {
+        let far = deviations as f64;
+        Self((0..=2 * deviations * parts).map(|index| end(index as f64 / parts as f64 - far)).collect())
     }
 }
 
@@ -98,29 +104,32 @@ impl Transferred {
         height: impl Fn(f64) -> f64,
         slope: impl Fn(f64) -> f64,
     ) -> Self {
-        Self::between(&Ends::even(parts), [mean, deviation], breaks, height, slope)
+        Self::between(&Ends::even(parts), [mean, deviation], breaks, |value| (height(value), slope(value)))
     }
 
-    /// The same between ends that are known.
+    /// The same between ends that are known, by a curve's height and slope at a value.
     pub fn between(
         Ends(even): &Ends,
         [mean, deviation]: [f64; 2],
         breaks: &[f64],
-        height: impl Fn(f64) -> f64,
-        slope: impl Fn(f64) -> f64,
+        at: impl Fn(f64) -> (f64, f64),
     ) -> Self {
-        let part = |value: f64, share: f64| Part { value, share, height: height(value), scale: slope(value) };
+        let part = |value: f64, share: f64| {
+            let (height, scale) = at(value);
+            Part { value, share, height, scale }
+        };
         if deviation <= 0.0 {
             return Self { parts: vec![part(mean, 1.0)] };
         }
+        let (first, last) = (even[0], even[even.len() - 1]);
         let mut ends = even.clone();
-        for at in breaks.iter().map(|at| (at - mean) / deviation).filter(|at| at.abs() < FAR) {
+        for at in breaks.iter().map(|at| (at - mean) / deviation).filter(|at| first.0 < *at && *at < last.0) {
             let next = ends.partition_point(|end| end.0 < at);
             if ends[next].0 != at {
                 ends.insert(next, end(at));
             }
         }
-        let all = between(end(-FAR), end(FAR));
+        let all = between(first, last);
         let part = |pair: &[End]| {
             let middle = 0.5 * (pair[0].0 + pair[1].0);
             part(mean + deviation * middle, between(pair[0], pair[1]) / all)

@@ -191,7 +191,9 @@ impl Stretch {
 /// The mean colors of cells from the top.
 fn seen(cells: &[Cell], hiding: &Hiding) -> Vec<[f64; 4]> {
     let total: f64 = cells.iter().map(|cell| cell.share * cell.mean()).sum();
-    // By channels, so that the Λ of each stand next to each other.
+    // Colors are summed up less that of the lowest cell, so that a channel that is the same everywhere costs nothing;
+    // by channels, so that the Λ of each stand next to each other.
+    let lowest = cells.last().map_or([0.0; 4], |cell| cell.colors[0]);
     let (mut sums, mut seen) = ([[0.0; MOST]; 4], [1.0f64; MOST]);
     let (mut below, mut depth, mut count) = (1.0f64, 0.0, hiding.lambdas().len());
     for cell in cells {
@@ -208,7 +210,7 @@ fn seen(cells: &[Cell], hiding: &Hiding) -> Vec<[f64; 4]> {
             seen[index] = left;
         }
         let [color, more] = cell.colors;
-        add(&mut sums, color, &shares[..count]);
+        add(&mut sums, std::array::from_fn(|channel| color[channel] - lowest[channel]), &shares[..count]);
         if more != [0.0; 4] {
             // Of what is visible of the cell the part at its higher node, where the density is that of f times
             // (1 + Λ |g′|/E|g′|) e^(−ΛX), the first and the last even in their logarithms.
@@ -225,11 +227,12 @@ fn seen(cells: &[Cell], hiding: &Hiding) -> Vec<[f64; 4]> {
         while count > 0 && seen[count - 1] <= 0.0 {
             count -= 1;
         }
+        if count == 0 {
+            break;
+        }
     }
-    // What rounding leaves below the lowest cell.
-    let lowest = cells.last().map_or([0.0; 4], |cell| cell.colors[0]);
-    add(&mut sums, lowest, &seen);
-    (0..hiding.lambdas().len()).map(|index| sums.map(|sum| sum[index])).collect()
+    let color = |index: usize| std::array::from_fn(|channel| lowest[channel] + sums[channel][index]);
+    (0..hiding.lambdas().len()).map(color).collect()
 }
 
 /// Adds shares of a color.

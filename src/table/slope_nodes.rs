@@ -24,13 +24,16 @@ pub const FOLLOWS: f64 = 0.25;
 /// Slopes below this part of the steepest are level.
 const LEVEL: f64 = 1e-9;
 
+/// Deviations of f on either side of its mean in which nodes are found: 2e-9 of its values are beyond.
+const REACH: usize = 6;
+
 /// Parts of a deviation, for nodes.
 const PARTS: usize = 16;
 
 /// The ends of such parts.
 pub(super) fn ends() -> &'static Ends {
     static ENDS: OnceLock<Ends> = OnceLock::new();
-    ENDS.get_or_init(|| Ends::even(PARTS))
+    ENDS.get_or_init(|| Ends::within(REACH, PARTS))
 }
 
 /// Values of f this many deviations from the mean do not occur.
@@ -40,7 +43,7 @@ const FAR: f64 = 8.0;
 fn level() -> Node {
     static LEVEL: OnceLock<Node> = OnceLock::new();
     *LEVEL.get_or_init(|| {
-        let surface = Transferred::between(ends(), [0.0, 1.0], &[], |_| 0.0, |_| 0.0);
+        let surface = Transferred::between(ends(), [0.0, 1.0], &[], |_| (0.0, 0.0));
         let rates = surface.rates(FOLLOWS);
         let parts: Vec<(f64, f64)> = surface.parts.iter().map(|part| part.share).zip(rates).collect();
         hidden(0.0, &parts)
@@ -82,8 +85,7 @@ impl Nodes<'_> {
 
     /// The same between ends that are known.
     pub(super) fn between(&self, ends: &Ends, mean: f64, deviation: f64) -> Transferred {
-        let curve = self.curve;
-        Transferred::between(ends, [mean, deviation], &self.breaks(), |f| curve.height(f), |f| curve.slope(f))
+        Transferred::between(ends, [mean, deviation], &self.breaks(), |f| self.curve.at(f))
     }
 
     /// The values between which the curve is smooth.
@@ -215,7 +217,7 @@ mod tests {
     fn level_ground_is_one_node() -> Result<(), crate::Error> {
         let curve = HeightTransfer::smoothstep(0.0, 1.0)?;
         let nodes = Nodes { curve: &curve, count: 3, signed: false };
-        let (level, surface) = (nodes.over(-0.81, 0.1), nodes.surface(PARTS, -0.81, 0.1));
+        let (level, surface) = (nodes.over(-0.81, 0.1), nodes.between(ends(), -0.81, 0.1));
         let parts: Vec<(f64, f64)> = surface.parts.iter().map(|part| part.share).zip(surface.rates(FOLLOWS)).collect();
         let truth = hidden(0.0, &parts);
         assert!(

@@ -129,6 +129,11 @@ impl HeightTransfer {
         }
     }
 
+    /// Height and slope at a finite value of f.
+    pub(crate) fn at(&self, value: f64) -> (f64, f64) {
+        self.piece(value).map_or_else(|| (self.height(value), self.slope(value)), |piece| piece.at(value))
+    }
+
     /// The lowest and the highest height over values from `low` to `high`, which may be infinite.
     pub fn range(&self, low: f64, high: f64) -> (f64, f64) {
         self.extremes(low, high, 0, |value| [self.height(value); 2])
