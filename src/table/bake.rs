@@ -69,7 +69,7 @@ impl Plan<'_> {
         if let Some(error) = self.hopeless(FLOOR, most) {
             return lattice.unbaked(name, error);
         }
-        let texels = lattice.texels(|_, mean, deviation| normal.color(self.map, mean, deviation));
+        let texels = lattice.texels(|_, deviation| move |mean| normal.color(self.map, mean, deviation));
         let error = self.judge(lattice, FLOOR, &texels, normal);
         lattice.table(name, texels, error)
     }
@@ -80,9 +80,9 @@ impl Plan<'_> {
         let lattice = self.lattice(FLAT);
         let Axis { low, high, .. } = self.means;
         let beta = |mean: f64, part: f64| Beta::new([low, high], mean, part * ((mean - low) * (high - mean)).sqrt());
-        let near = |mean: f64, part: f64| beta(mean, part).mean(self.map);
+        let near = |part: f64| move |mean: f64| beta(mean, part).mean(self.map);
         let truth = |mean: f64, part: f64| beta(mean, part).mean_by_parts(self.map);
-        let texels = lattice.texels(|_, mean, part| near(mean, part));
+        let texels = lattice.texels(|_, part| near(part));
         let judged = Judged { low, high, least: FLOOR, third: 0.0 };
         let error = lattice.error(&texels, &bends(self.map), judged, near, truth);
         lattice.table(name, texels, error)
@@ -97,9 +97,10 @@ impl Plan<'_> {
             let more = lesson.at(mean, deviation);
             std::array::from_fn(|channel| (color[channel] + more[channel]).clamp(hull[channel][0], hull[channel][1]))
         };
-        let near = |mean: f64, deviation: f64| taught(normal.color(self.map, mean, deviation), mean, deviation);
+        let taught = &taught;
+        let near = |deviation: f64| move |mean: f64| taught(normal.color(self.map, mean, deviation), mean, deviation);
         let truth = |mean: f64, deviation: f64| taught(mean_by_parts(self.map, mean, deviation), mean, deviation);
-        let texels = lattice.texels(|_, mean, deviation| near(mean, deviation));
+        let texels = lattice.texels(|_, deviation| near(deviation));
         let judged = Judged { low: self.judged.0.into(), high: self.judged.1.into(), least: FLOOR, third: 0.0 };
         let error = lattice.error(&texels, &bends(self.map), judged, near, truth);
         lattice.table(name, texels, error)
@@ -114,7 +115,7 @@ impl Plan<'_> {
             return lattice.unbaked(name, error);
         }
         let strips = strips();
-        let texels = lattice.texels(|slice, mean, deviation| strips[2 * slice].color(self.map, mean, deviation));
+        let texels = lattice.texels(|slice, deviation| move |mean| strips[2 * slice].color(self.map, mean, deviation));
         let judged = strips.iter().take(1).chain(strips.iter().skip(1).step_by(2));
         let error = judged.map(|strip| self.judge(lattice, floor, &texels, strip)).fold(0.0, f32::max);
         lattice.table(name, texels, error)
@@ -129,7 +130,7 @@ impl Plan<'_> {
         let rows = self.deviations.number(floor).ceil() as usize + 1;
         let first = Self { deviations: self.deviations.first(rows.max(2)), ..self };
         let (lattice, normal) = (first.lattice(FLAT), normal());
-        let texels = lattice.texels(|_, mean, deviation| normal.color(self.map, mean, deviation));
+        let texels = lattice.texels(|_, deviation| move |mean| normal.color(self.map, mean, deviation));
         Some(first.judge(lattice, floor, &texels, normal)).filter(|error| *error > most)
     }
 
@@ -141,7 +142,7 @@ impl Plan<'_> {
     fn judge(self, lattice: Lattice, floor: f64, texels: &[f32], strip: &Strip) -> f32 {
         let (low, high) = (f64::from(self.judged.0), f64::from(self.judged.1));
         let judged = Judged { low, high, least: floor * strip.deviation, third: strip.skewness };
-        let near = |at: f64, line: f64| strip.color(self.map, at, line);
+        let near = |line: f64| move |at: f64| strip.color(self.map, at, line);
         let truth = |at: f64, line: f64| {
             let scale = line / strip.deviation;
             height::mean_by_parts(self.map, at - scale * strip.mean, scale, strip.lambda)
@@ -184,9 +185,12 @@ mod tests {
         let by_parts = Plan { map: &map, means, deviations: parts, judged: (0.0, 1.0) }.of_bounded_values("table");
         let deviations = Axis { low: 0.0, high: 0.5, count: 16, spacing: Spacing::CubeRoot };
         let lattice = Lattice([means, deviations, FLAT]);
-        let near = |mean: f64, deviation: f64| Beta::new([0.0, 1.0], mean, deviation).mean(&map);
+        let near = |deviation: f64| {
+            let map = &map;
+            move |mean: f64| Beta::new([0.0, 1.0], mean, deviation).mean(map)
+        };
         let truth = |mean: f64, deviation: f64| Beta::new([0.0, 1.0], mean, deviation).mean_by_parts(&map);
-        let texels = lattice.texels(|_, mean, deviation| near(mean, deviation));
+        let texels = lattice.texels(|_, deviation| near(deviation));
         let judged = Judged { low: 0.0, high: 1.0, least: FLOOR, third: 0.0 };
         let by_deviations = lattice.error(&texels, &bends(&map), judged, near, truth);
         assert!(by_parts.error * 3.0 < by_deviations, "{} {by_deviations}", by_parts.error);

@@ -10,7 +10,7 @@ pub(super) const FLAT: Axis = Axis { low: 0.0, high: 1.0, count: 1, spacing: Spa
 const EVEN: u32 = 64;
 
 /// Lines next to each other of which the worst place stands for all.
-const GROUP: usize = 4;
+const GROUP: usize = 8;
 
 /// The axes of a table's columns, rows and slices.
 #[derive(Clone, Copy)]
@@ -27,13 +27,13 @@ pub(super) struct Judged {
 }
 
 impl Lattice {
-    /// The colors at the nodes, as halves, from a slice's number, a column's value and a row's.
-    pub(super) fn texels(self, color: impl Fn(usize, f64, f64) -> [f64; 4] + Sync) -> Vec<f32> {
+    /// The colors at the nodes, as halves: of a slice's number and a row's value those of columns' values.
+    pub(super) fn texels<C: Fn(f64) -> [f64; 4]>(self, color: impl Fn(usize, f64) -> C + Sync) -> Vec<f32> {
         let Self([columns, lines, slices]) = self;
         let slice = |slice: usize| {
             rows(lines.count, |row| {
-                let line = lines.value(row as f64);
-                let texel = |column: usize| color(slice, columns.value(column as f64), line).map(half_rounded);
+                let color = color(slice, lines.value(row as f64));
+                let texel = |column: usize| color(columns.value(column as f64)).map(half_rounded);
                 (0..columns.count).flat_map(texel).collect()
             })
         };
@@ -58,14 +58,14 @@ impl Lattice {
     }
 
     /// The largest difference between a filtered read and the color: on the first and the last row, between rows and on
-    /// the least, over the centers of all cells of columns, where the color `bends`, and even places. `near` finds the
-    /// worst place of a few lines next to each other, on which `truth` has the last word.
-    pub(super) fn error(
+    /// the least, over the centers of all cells of columns, where the color `bends`, and even places. `near`, of which
+    /// each line has its own, finds the worst place of some next to each other, on which `truth` has the last word.
+    pub(super) fn error<N: Fn(f64) -> [f64; 4]>(
         self,
         texels: &[f32],
         bends: &[f64],
         judged: Judged,
-        near: impl Fn(f64, f64) -> [f64; 4] + Sync,
+        near: impl Fn(f64) -> N + Sync,
         truth: impl Fn(f64, f64) -> [f64; 4] + Sync,
     ) -> f32 {
         let (Self([columns, deviations, _]), Judged { low, high, least, third }) = (self, judged);
@@ -82,9 +82,13 @@ impl Lattice {
         };
         let groups: Vec<&[f64]> = lines.chunks(GROUP).collect();
         let worst = |group: usize| {
-            let places = groups[group].iter().flat_map(|&line| places.iter().map(move |&at| (at, line)));
-            let errors = places.map(|(at, line)| (error(at, line, near(at, line)), at, line));
-            let (_, at, line) = errors.fold((0.0, low, least), |one, next| if next.0 > one.0 { next } else { one });
+            let mut worst = (0.0, low, least);
+            for &line in groups[group] {
+                let near = near(line);
+                let errors = places.iter().map(|&at| (error(at, line, near(at)), at, line));
+                worst = errors.fold(worst, |one, next| if next.0 > one.0 { next } else { one });
+            }
+            let (_, at, line) = worst;
             vec![error(at, line, truth(at, line)) as f32]
         };
         rows(groups.len(), worst).into_iter().fold(0.0, f32::max)

@@ -45,7 +45,10 @@ impl<'a> Plan<'a> {
     /// nodes of any of the four.
     pub(crate) fn table(self, name: &str) -> Table {
         let (lattice, bends) = (Lattice([self.means, self.deviations, FLAT]), self.curve.bends());
-        let texels = lattice.texels(|_, mean, deviation| self.parts(self.near(&bends, mean, deviation)));
+        let texels = lattice.texels(|_, deviation| {
+            let bends = &bends;
+            move |mean| self.parts(self.near(bends, mean, deviation))
+        });
         let error = self.error(lattice, &bends, &texels);
         lattice.table(name, texels, error)
     }
