@@ -20,8 +20,11 @@ const FULL: f64 = 0.9;
 ///
 /// # Errors
 /// What the device refuses.
-pub fn filling(from: usize, prepare: impl Fn(usize) -> Result<Dispatch, Error>) -> Result<(Dispatch, usize), Error> {
-    let of = |count: usize| -> Result<(Dispatch, f64), Error> {
+pub fn filling<E: From<Error>>(
+    from: usize,
+    prepare: impl Fn(usize) -> Result<Dispatch, E>,
+) -> Result<(Dispatch, usize), E> {
+    let of = |count: usize| -> Result<(Dispatch, f64), E> {
         let dispatch = prepare(count)?;
         dispatch.time()?;
         let each = dispatch.time()?.min(dispatch.time()?) / count as f64;
@@ -36,6 +39,27 @@ pub fn filling(from: usize, prepare: impl Fn(usize) -> Result<Dispatch, Error>) 
         (count, best) = (4 * count, more);
     }
     Ok((best.0, count))
+}
+
+/// The size of a picture whose pixels fill the device with a kernel: the given one, or larger by a power of 2.
+///
+/// # Errors
+/// What the device refuses.
+pub fn enlarged<E: From<Error>>(
+    [width, height]: [usize; 2],
+    prepare: impl Fn([usize; 2]) -> Result<Dispatch, E>,
+) -> Result<[usize; 2], E> {
+    let pixels = width * height;
+    let sides = |count: usize| [width, height].map(|side| side * (count / pixels).isqrt());
+    Ok(sides(filling(pixels, |count| prepare(sides(count)))?.1))
+}
+
+/// How many times over a list of so many taps fills the device with a kernel.
+///
+/// # Errors
+/// What the device refuses.
+pub fn times_over<E: From<Error>>(taps: usize, prepare: impl Fn(usize) -> Result<Dispatch, E>) -> Result<usize, E> {
+    Ok(filling(taps, |count| prepare(count / taps))?.1 / taps)
 }
 
 /// `count` points of the numbers of `points`, over and over.

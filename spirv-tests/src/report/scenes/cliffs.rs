@@ -120,6 +120,9 @@ const TITLE: &str =
 
 fn measured(amount: &Amount, stage: &Mountains<'_>, materials: &Materials, shots: &Shots) -> Result<Measured, Error> {
     let known = stage.tracer.picture(&views(amount.size)[OBLIQUE], stage.place)?;
+    let first = &stage.renderers[0][0];
+    let times = timing::times_over(known.len(), |times| first.prepare(&known.repeat(times)))?;
+    let known = known.repeat(times);
     let kernels = stage.renderers[0].iter().map(|renderer| renderer.prepare(&known));
     let seconds = timing::fastest(&kernels.collect::<Result<Vec<_>, Error>>()?, TURNS)?;
     let (taps, sky) = (known.len() as f64, stage.scenery.skies[0]);

@@ -32,7 +32,7 @@ const QUICK: Amount = Amount { size: [48, 36], moving: [24, 18], frames: 4, plac
 /// Strata an axis of each half of the truth.
 const STRATA: usize = 32;
 
-/// Size of the pictures that are timed.
+/// Size of the pictures that are timed, at least.
 const TIMED: [usize; 2] = [128, 128];
 
 /// Steps of these scenes.
@@ -147,14 +147,15 @@ fn measured(
     stage: &Images<'_>,
     shots: &Shots,
 ) -> Result<Measured, Error> {
-    let (plane, methods) = (seen(input, TIMED, 0), Method::all());
+    let size = timing::enlarged(TIMED, |size| stage.renderers[0].prepare(&seen(input, size, 0)))?;
+    let (plane, methods) = (seen(input, size, 0), Method::all());
     let mut kernels = stage.renderers.iter().map(|it| it.prepare(&plane)).collect::<Result<Vec<_>, Error>>()?;
     let taps: Vec<Taps> = methods.iter().filter_map(|method| method.taps()).collect();
     for &taps in &taps {
         kernels.push(Renderer::naive(bench.timed, input, taps)?.prepare(&plane)?);
     }
     let seconds = timing::fastest(&kernels, TURNS)?;
-    let seconds: Vec<f64> = seconds.iter().map(|seconds| seconds / (TIMED[0] * TIMED[1]) as f64).collect();
+    let seconds: Vec<f64> = seconds.iter().map(|seconds| seconds / (size[0] * size[1]) as f64).collect();
     let naive = |method: Method| match method {
         Method::Naive | Method::Colored | Method::ColoredAlong => seconds[0],
         // The mean of the heights in the same pyramid, and the map there.

@@ -60,7 +60,7 @@ const LEGEND: &str = "\
     differ. Shimmer: the deviation of the error over the frames of a zoom and of a sub-pixel pan, root mean square \
     over the pixels that the surface covers in all frames, without the truth's own; that of many samples is not \
     measured where the truth has not many more. ms/Mpixel: the fastest of 31 turns that all kernels of a scene \
-    take on the device, with one thread where it is a processor. Over naive, same driver: that over the kernel of \
+    take on the device, over as many pixels as fill it, with one thread where it is a processor. Over naive, same driver: that over the kernel of \
     the naive tier, which reads the same statistics of the same driver with as many taps; where a method asks no \
     driver, over the naive method's. Operations are those of the heaviest function of each generated module that a \
     method calls. Samples for its RMS: stratified samples a pixel at which brute force is as near to the truth, \

@@ -111,6 +111,8 @@ fn scene(bench: &Bench<'_>, studio: &Studio) -> Result<Vec<Item>, Error> {
 /// Seconds a tap of each method: all its kernels.
 fn seconds(studio: &Studio, known: &[[Option<Known>; ALL_TAPS]]) -> Result<Vec<f64>, Error> {
     let hits: Vec<Known> = known.iter().flatten().flatten().copied().collect();
+    let color = |times: usize| Ok::<_, Error>(studio.renderers()[0].prepare(&hits.repeat(times))?.swap_remove(0));
+    let hits = hits.repeat(timing::times_over(hits.len(), color)?);
     let kernels = studio.renderers().iter().map(|renderer| renderer.prepare(&hits));
     let kernels = kernels.collect::<Result<Vec<_>, Error>>()?;
     let times = timing::fastest(&kernels.concat(), TURNS)?;

@@ -53,7 +53,7 @@ fn picture(input: &Input, extent: Extent) -> ([usize; 2], usize) {
     ([width / times, height / times], times)
 }
 
-/// Size of the pictures that are timed.
+/// Size of the pictures that are timed, at least.
 fn timed(input: &Input) -> [usize; 2] {
     match input.ground {
         Ground::Plane => [96, 72],
@@ -144,8 +144,10 @@ struct Times {
 
 /// All kernels take turns.
 fn times(bench: &Bench<'_>, input: &Input, methods: &[Method]) -> Result<Times, Error> {
-    let (device, lens) = (bench.timed, input.lens(timed(input)));
+    let device = bench.timed;
     let sampler = Sampler::new(device, input, bench.cache)?;
+    let first = Renderer::new(device, &sampler, methods[0])?;
+    let lens = input.lens(timing::enlarged(timed(input), |size| first.prepare(&input.lens(size), 1))?);
     let mut kernels = vec![sampler.prepare(&lens, 1, TIMED, SAME, 0..TIMED * TIMED)?];
     for &method in methods {
         kernels.push(Renderer::new(device, &sampler, method)?.prepare(&lens, 1)?);

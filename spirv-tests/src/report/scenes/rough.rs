@@ -134,7 +134,9 @@ fn measured(amount: &Amount, renderers: &[Renderer], shots: &Shots) -> Result<Me
     let view = views(amount.size)[OBLIQUE];
     let known = known::picture(&surface(1), &view, &lights());
     let known = known.as_flattened();
-    let kernels = renderers.iter().map(|renderer| renderer.prepare(known, 0, lights()[0]));
+    let times = timing::times_over(known.len(), |times| renderers[0].prepare(&known.repeat(times), 0, lights()[0]))?;
+    let known = known.repeat(times);
+    let kernels = renderers.iter().map(|renderer| renderer.prepare(&known, 0, lights()[0]));
     let seconds = timing::fastest(&kernels.collect::<Result<Vec<_>, Error>>()?, TURNS)?;
     let taps = known.len() as f64;
     let entry = |(number, method): (usize, Method)| {

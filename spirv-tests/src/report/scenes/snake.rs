@@ -147,6 +147,9 @@ const TITLE: &str = "A snake colored by a pattern and by the slopes of its scale
 /// Times and weights.
 fn measured(amount: &Amount, stage: &Snake<'_>) -> Result<Measured, Error> {
     let known = stage.known(&seen(amount)[WHOLE]);
+    let hits = known.iter().flatten().flatten().count();
+    let once = |times: usize| stage.renderers[0].prepare(&stage.maps, &known.repeat(times));
+    let known = known.repeat(timing::times_over(hits, once)?);
     let taps = known.iter().flatten().flatten().count() as f64;
     let kernels = stage.renderers.iter().map(|renderer| renderer.prepare(&stage.maps, &known));
     let seconds = timing::fastest(&kernels.collect::<Result<Vec<_>, Error>>()?, TURNS)?;
