@@ -15,8 +15,11 @@ const MOST: usize = 1 << 21;
 /// An invocation's time that falls by less than a tenth with four times as many is that of a device that is full.
 const FULL: f64 = 0.9;
 
-/// A kernel over so many invocations that more take no less time each, and how many: `from`, or four times as many as
-/// often as that makes each a tenth cheaper. `prepare` is told how many.
+/// Seconds below which a run is mostly the device's start and end.
+const SHORT: f64 = 1e-4;
+
+/// A kernel over so many invocations that more take no less time each, and how many: `from`, or four times as many for
+/// as long as a run is short or that makes each a tenth cheaper. `prepare` is told how many.
 ///
 /// # Errors
 /// What the device refuses.
@@ -33,7 +36,7 @@ pub fn filling<E: From<Error>>(
     let (mut count, mut best) = (from, of(from)?);
     while 4 * count <= MOST {
         let more = of(4 * count)?;
-        if more.1 > FULL * best.1 {
+        if best.1 * count as f64 >= SHORT && more.1 > FULL * best.1 {
             break;
         }
         (count, best) = (4 * count, more);
