@@ -81,8 +81,8 @@ struct Chain {
 }
 
 const CHAINS: [Chain; 3] = [
-    Chain { text: ONE, parts: one, reach: 1.35, narrowest: 0.19, figures: [3.9e-2, 0.105, 0.155] },
-    Chain { text: THREE, parts: three, reach: 2.25, narrowest: 0.25, figures: [3.7e-2, 3.52e-2, 7.2e-2] },
+    Chain { text: ONE, parts: one, reach: 1.35, narrowest: 0.42, figures: [3.9e-2, 0.105, 0.155] },
+    Chain { text: THREE, parts: three, reach: 2.25, narrowest: 0.33, figures: [3.7e-2, 3.52e-2, 7.2e-2] },
     Chain { text: TEN, parts: ten, reach: 3.1, narrowest: 0.19, figures: [1.05e-2, 2.6e-2, 6.2e-2] },
 ];
 
@@ -137,8 +137,16 @@ fn rice_below([center, sigma, _]: &Rice, length: f64) -> f64 {
     below(&round, length)
 }
 
-/// The largest and the root mean square error of steps at many steepnesses.
-fn step_errors(device: &Device, chain: &Chain, aspect: f64, count: usize) -> Result<[f64; 2], Fault> {
+/// What many views of slopes with axes of one ratio say of a chain.
+struct Found {
+    /// The largest error of a step, and the root of the mean square.
+    errors: [f64; 2],
+    /// How far ν is beyond the mean slope's length and how small σ is, at most, in deviations of the wider axis.
+    ends: [f64; 2],
+}
+
+/// Steps at many steepnesses.
+fn steps(device: &Device, chain: &Chain, aspect: f64, count: usize) -> Result<Found, Fault> {
     let mut random = Random::new(151);
     let views: Vec<Visible> = (0..count)
         .map(|_| {
@@ -152,7 +160,7 @@ fn step_errors(device: &Device, chain: &Chain, aspect: f64, count: usize) -> Res
         views.iter().map(|visible| [&visible.view[..], &visible.mean, &visible.covariance].concat()).collect();
     let got = Function::in_text(chain.text, "asked")?.results(device, &[], &points)?;
     assert!(!got.is_empty() && got.len() == views.len());
-    let (mut worst, mut sum) = (0.0f64, 0.0);
+    let (mut worst, mut sum, mut ends) = (0.0f64, 0.0, [f64::NEG_INFINITY, f64::INFINITY]);
     for (visible, got) in views.iter().zip(&got) {
         let parts = (chain.parts)(got);
         // Within the axes of a scene's table.
@@ -160,7 +168,7 @@ fn step_errors(device: &Device, chain: &Chain, aspect: f64, count: usize) -> Res
         let mut moments = [0.0; 2];
         for [center, sigma, weight] in &parts {
             assert!(*center <= length + chain.reach * wide && *sigma <= 1.25 * wide, "{visible:?}: {got:?}");
-            assert!(aspect > 2.0 || *sigma >= chain.narrowest * wide, "{visible:?}: {got:?}");
+            ends = [ends[0].max((center - length) / wide), ends[1].min(sigma / wide)];
             moments[0] += weight * center;
             moments[1] += weight * (center * center + sigma * sigma);
         }
@@ -174,18 +182,24 @@ fn step_errors(device: &Device, chain: &Chain, aspect: f64, count: usize) -> Res
             sum += error * error;
         }
     }
-    Ok([worst, (sum / (24 * views.len()) as f64).sqrt()])
+    Ok(Found { errors: [worst, (sum / (24 * views.len()) as f64).sqrt()], ends })
 }
 
 #[test]
 fn steps_of_steepness_keep_their_figures() -> Outcome {
     let device = Device::new()?;
     for chain in &CHAINS {
+        let (mut reach, mut narrowest) = (0.0f64, f64::INFINITY);
         for (aspect, figure) in [1.0, 2.0, 4.0].into_iter().zip(chain.figures) {
-            let [worst, square] = step_errors(&device, chain, aspect, 500)?;
+            let Found { errors: [worst, square], ends: [far, narrow] } = steps(&device, chain, aspect, 500)?;
             println!("axes of {aspect}:1: a step errs by {worst:.3e}, root mean square {square:.3e}");
             assert!(worst <= figure && 1.05 * worst >= figure, "{aspect}: {worst}");
+            reach = reach.max(far);
+            narrowest = if aspect > 2.0 { narrowest } else { narrowest.min(narrow) };
         }
+        println!("ν up to {reach:.3} beyond the mean slope, σ from {narrowest:.3}");
+        assert!(reach <= chain.reach && 1.15 * reach >= chain.reach, "{reach} of {}", chain.reach);
+        assert!(narrowest >= chain.narrowest && narrowest <= 1.15 * chain.narrowest, "{narrowest}");
     }
     Ok(())
 }
