@@ -15,7 +15,7 @@ const HOST: &str = "
 @group(0) @binding(0) var<storage, read_write> colors: array<vec4f>;
 @group(1) @binding(0) var table: texture_3d<f32>;
 @group(1) @binding(1) var table_sampler: sampler;
-@group(1) @binding(2) var nodes: texture_3d<f32>;
+@group(1) @binding(2) var nodes: texture_2d<f32>;
 @group(1) @binding(3) var nodes_sampler: sampler;
 
 @compute @workgroup_size(64)

@@ -10,6 +10,7 @@
 use super::texture::number;
 use crate::accuracy::Ranges;
 use crate::table::grid::{Axis, Spacing};
+use crate::table::steep_nodes::{self, TOGETHER};
 use crate::table::{slope_nodes, Table};
 use crate::transfer::height_transfer::HeightTransfer;
 
@@ -60,10 +61,8 @@ pub(crate) struct Nodes {
     pub means: [f32; 3],
     /// The deviation of f on the last row, and the rows.
     pub deviations: [f32; 2],
-    /// The nodes that may count.
-    count: usize,
-    /// Whether the first is that of level ground.
-    has_level: bool,
+    /// The steep nodes of a table of what hides heights: their scales and weights alone, as their slopes have no mean.
+    pub hiding: Option<usize>,
 }
 
 /// The slices of the table of nodes.
@@ -78,14 +77,30 @@ impl Nodes {
             format!("grid_linear(mean, {low}, {high}, {columns})"),
             format!("grid_cube_root(deviation, {most}, {rows})"),
         );
+        let (what, count) = match self.hiding {
+            Some(_) => (self.known(), self.known().len()),
+            None => (&SLICES[..slices], SLICES.len()),
+        };
         let mut text = format!("    let place = vec2f({x}, {y});\n");
-        for (slice, what) in SLICES.into_iter().enumerate().take(slices) {
-            let depth = (slice as f32 + 0.5) / SLICES.len() as f32;
-            text += &format!(
-                "    let {what} = textureSampleLevel({name}, {name}_sampler, vec3f(place, {depth:?}), 0.0);\n"
-            );
+        for (slice, what) in what.iter().enumerate() {
+            let depth = (slice as f32 + 0.5) / count as f32;
+            let place = if count > 1 { format!("vec3f(place, {depth:?})") } else { "place".to_owned() };
+            text += &format!("    let {what} = textureSampleLevel({name}, {name}_sampler, {place}, 0.0);\n");
         }
         text
+    }
+
+    /// The names of what is read of a table of what hides.
+    fn known(&self) -> &'static [&'static str] {
+        match self.hiding {
+            Some(0..=TOGETHER) => &["steep"],
+            _ => &SLICES[..2],
+        }
+    }
+
+    /// The expression of a direction's Λ, by the function of a scene, where slopes have no mean.
+    pub fn lambda_of(&self, name: &str, direction: &str) -> String {
+        format!("{name}_lambda({direction}, slope_covariance, {})", self.known().join(", "))
     }
 
     /// The deviation of f from which on bends are not misread: the distance of two columns.
@@ -107,13 +122,19 @@ impl Nodes {
     /// The function `NAME_lambda`, Λ of a direction over all nodes of slopes that have no mean. Level ground hides
     /// nothing.
     pub fn lambda(&self, name: &str) -> String {
-        let steep = ["x", "y", "z", "w"].into_iter().take(self.count).skip(usize::from(self.has_level));
-        let hiding = |node: &str| format!("weights.{node} * slope_nodes_hiding(ratio, scales.{node})");
-        let all: Vec<String> = steep.map(hiding).collect();
+        let components = ["x", "y", "z", "w"];
+        let count = self.hiding.unwrap_or_default().min(components.len());
+        let node = |node: usize| match self.known() {
+            [steep] => [node, TOGETHER + node].map(|at| format!("{steep}.{}", components[at])),
+            _ => [SLICES[0], SLICES[1]].map(|slice| format!("{slice}.{}", components[node])),
+        };
+        let hiding = |[scale, weight]: [String; 2]| format!("{weight} * slope_nodes_hiding(ratio, {scale})");
+        let all: Vec<String> = (0..count).map(node).map(hiding).collect();
+        let parameters: String = self.known().iter().map(|known| format!(", {known}: vec4f")).collect();
         format!(
             "
 /// Smith's Λ of a direction over all slopes of `{name}`.
-fn {name}_lambda(direction: vec3f, slope_covariance: vec3f, scales: vec4f, weights: vec4f) -> f32 {{
+fn {name}_lambda(direction: vec3f, slope_covariance: vec3f{parameters}) -> f32 {{
     let ratio = slope_nodes_ratio(direction, slope_covariance);
     let lambda = {};
     return select(lambda, 2.0 * smith_horizon, ratio <= 0.0);
@@ -166,7 +187,7 @@ const VIEWED_SHARES: &str =
 const NODES: [usize; 2] = [64, 24];
 
 impl Nodes {
-    /// The table of a curve's nodes; `signed` where slopes of f have a mean.
+    /// The table of a curve's nodes: where slopes of f have no mean and heights are colored, of what hides them alone.
     pub fn new(curve: &HeightTransfer, ranges: Ranges, tier: TransferTier, tilted: bool) -> Self {
         let Ranges { mean: (low, high), deviation } = ranges;
         let [columns, rows] = NODES;
@@ -175,8 +196,9 @@ impl Nodes {
         let signed = tilted && !curve.is_monotone();
         let count = tier.nodes();
         let nodes = slope_nodes::Nodes { curve, count, signed };
-        let has_level = nodes.has_level();
-        let table = slope_nodes::table(nodes, means, deviations, "nodes");
-        Self { table, means: [low, high, columns as f32], deviations: [deviation, rows as f32], count, has_level }
+        let table = if tilted { slope_nodes::table } else { steep_nodes::table };
+        let table = table(nodes, means, deviations, "nodes");
+        let hiding = (!tilted).then(|| nodes.steep());
+        Self { table, means: [low, high, columns as f32], deviations: [deviation, rows as f32], hiding }
     }
 }

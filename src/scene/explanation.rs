@@ -117,7 +117,7 @@ impl Scene {
         let Stage { tier, nodes, ranges: Ranges { mean: (low, high), deviation }, .. } = stage;
         let mut text = format!("{}: heights h = g(f) by {tier}\n  error   {bound}\n", self.name);
         if let Some(nodes) = nodes {
-            let step = nodes.table.error;
+            let error = nodes.table.error;
             let hidden = if self.height.is_some() {
                 format!(", Λ of view and light that add up to {COVERED:e} at most")
             } else {
@@ -127,8 +127,11 @@ impl Scene {
                 text,
                 "  covers  f of means {low} to {high} and deviations from {narrow:.1e} to {deviation}{hidden}"
             );
-            let _ =
-                writeln!(text, "  nodes   read between texels, a step of slopes errs by {step:.1e} of the mixture's");
+            let what = match nodes.hiding {
+                Some(_) => format!("Λ errs by {error:.1e} of 1 + Λ"),
+                None => format!("a step of slopes errs by {error:.1e} of the mixture's"),
+            };
+            let _ = writeln!(text, "  nodes   read between texels, {what}");
         }
         for Table { name, error, .. } in &stage.moments.tables {
             let _ = writeln!(text, "  moments of h from the table `{name}`, within {error:.1e} of half their ranges");

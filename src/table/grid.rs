@@ -35,6 +35,8 @@ pub enum Spacing {
     /// Evenly in the logarithm of 1 + 12 v / high, a node on each end: at small values as evenly as linear, at large
     /// ones in even ratios. The low end is 0.
     Logarithm,
+    /// Evenly in the logarithm of the value, a node on each end; both are above 0.
+    Ratio,
 }
 
 /// How many times the value at the high end is that from which on the nodes of [`Spacing::Logarithm`] keep their ratio;
@@ -112,6 +114,7 @@ impl Axis {
                 unit * companded / (1.0 - companded.abs())
             }
             Spacing::Logarithm => self.high * (part * BEND.ln_1p()).exp_m1() / BEND,
+            Spacing::Ratio => self.low * (self.high / self.low).powf(part),
         }
     }
 
@@ -129,6 +132,7 @@ impl Axis {
                 (at - low) / (high - low) * last
             }
             Spacing::Logarithm => (BEND * value.max(0.0) / self.high).ln_1p() / BEND.ln_1p() * last,
+            Spacing::Ratio => (value / self.low).max(1.0).ln() / (self.high / self.low).ln() * last,
         };
         number.clamp(0.0, last)
     }

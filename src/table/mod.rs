@@ -16,6 +16,7 @@ mod slope_hiding;
 pub(crate) mod slope_map;
 pub mod slope_nodes;
 mod slope_steps;
+pub(crate) mod steep_nodes;
 pub(crate) mod strip;
 pub(crate) mod transfer;
 pub(crate) mod transferred;

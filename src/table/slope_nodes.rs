@@ -22,7 +22,7 @@ use crate::transfer::polynomial::Piece;
 pub const FOLLOWS: f64 = 0.25;
 
 /// Slopes below this part of the steepest are level.
-const LEVEL: f64 = 1e-9;
+pub(super) const LEVEL: f64 = 1e-9;
 
 /// Deviations of f on either side of its mean in which nodes are found: 2e-9 of its values are beyond.
 const REACH: usize = 6;
@@ -100,7 +100,7 @@ impl Nodes<'_> {
     }
 
     /// Whether the curve is level over all values of a normal f that occur.
-    fn is_level(&self, mean: f64, deviation: f64) -> bool {
+    pub(super) fn is_level(&self, mean: f64, deviation: f64) -> bool {
         let [low, high] = [mean - FAR * deviation, mean + FAR * deviation];
         let mut within =
             self.curve.pieces().unwrap_or_default().iter().filter(|piece| piece.from < high && piece.to > low);
@@ -165,7 +165,7 @@ impl Nodes<'_> {
     }
 
     /// The scale on the side that is not level of the bend nearest to a value.
-    fn nearest_scale(&self, mean: f64) -> f64 {
+    pub(super) fn nearest_scale(&self, mean: f64) -> f64 {
         let mut breaks = self.breaks();
         breaks.sort_by(|one, other| (one - mean).abs().total_cmp(&(other - mean).abs()));
         let beside = breaks.iter().flat_map(|at| {

@@ -21,7 +21,7 @@ pub(crate) struct Plan<'a> {
     pub curve: &'a HeightTransfer,
     /// The columns, means of f.
     pub means: Axis,
-    /// The rows, its deviations.
+    /// The rows, its deviations: what is visible moves and widens with each by as many of its own deviations.
     pub deviations: Axis,
 }
 

@@ -59,8 +59,8 @@ pub(crate) fn transferred(
     };
     let means = means.in_f32();
     let most = f64::from(ranges.deviation);
-    let deviations = Axis { low: 0.0, high: most, count: DEVIATIONS, spacing: Spacing::SquareRoot };
     let narrow = (NARROW * (means.high - means.low) / (MEANS - 1) as f64).min(0.25 * most);
+    let deviations = Axis { low: narrow, high: most, count: DEVIATIONS, spacing: Spacing::Ratio };
     let table = Plan { map: &reference, curve, means, deviations }.table("table", 2.0 * narrow);
     let (lowest, highest) = curve.range(low - 2.0 * most, high + 2.0 * most);
     let near = tails(map, colors, surface, around(Ranges::of(map), lowest as f32, highest as f32))?;
@@ -111,12 +111,12 @@ fn around(map: Ranges, lowest: f32, highest: f32) -> Ranges {
 fn read([means, deviations]: [Axis; 2], lambda: &str) -> String {
     let numbers = |values: &[f64]| values.iter().map(|&value| number(value as f32)).collect::<Vec<_>>().join(", ");
     let column = numbers(&[means.low, means.high, means.count as f64]);
-    let row = numbers(&[0.0, deviations.high.sqrt(), deviations.count as f64]);
+    let row = numbers(&[deviations.low.log2(), deviations.high.log2(), deviations.count as f64]);
     let slice = numbers(&[HIDING.low, HIDING.high, HIDING.count as f64]);
     let hiding = format!("log2(1.0 + {} * clamp({lambda}, 0.0, 1e6))", number(DENSER as f32));
-    let root = "sqrt(max(deviation, 0.0))";
+    let width = "log2(max(deviation, 1e-30))";
     let place =
-        format!("vec3f(grid_linear(mean, {column}), grid_linear({root}, {row}), grid_linear({hiding}, {slice}))");
+        format!("vec3f(grid_linear(mean, {column}), grid_linear({width}, {row}), grid_linear({hiding}, {slice}))");
     format!("textureSampleLevel(table, table_sampler, {place}, 0.0)")
 }
 
@@ -133,7 +133,7 @@ pub(crate) fn glue(
         if surface.mean_slope {
             return height_transfer::lambda(direction, "mean_slope");
         }
-        format!("{name}_lambda({direction}, slope_covariance, scales, weights)")
+        nodes.lambda_of(name, direction)
     });
     let (light, who) = if surface.shadowing { (", light: vec3f", "seen and lit") } else { ("", "seen") };
     let (before, [all, own]) = (nodes.read(2), tables);
