@@ -96,7 +96,11 @@ fn error(nodes: Nodes<'_>, lattice: Lattice, texels: &[f32]) -> f32 {
             };
             let surface = nodes.between(ends(), mean, lines[line]);
             let parts: Vec<(f64, f64)> = surface.parts.iter().map(|part| (part.scale.abs(), part.share)).collect();
-            let steepest = parts.iter().map(|part| part.0).fold(0.0, f64::max);
+            // Where all parts are level, what neighbors know of steep ones is what errs.
+            let steepest = parts.iter().chain(&read).map(|part| part.0).fold(0.0, f64::max);
+            if steepest <= 0.0 {
+                return 0.0;
+            }
             let errors = PARAMETERS.map(|parameter| {
                 let [truth, read] = [&parts, &read].map(|nodes| lambda(nodes, parameter * steepest));
                 (truth - read).abs() / (1.0 + truth)
