@@ -122,16 +122,12 @@ impl Scene {
             return Ok((candidates.remove(0), candidates));
         }
         let asked = self.accuracy.unwrap_or_default().max_filter_error;
-        // Of a table that was not baked the bound is larger than what is known of it.
-        let baked = candidates.iter().filter(|candidate| candidate.is_baked());
-        let closest = baked.min_by(|a, b| a.judged.total_cmp(&b.judged));
-        let budget = self.budget(&candidates);
-        let keeps = |candidate: &Candidate| candidate.judged <= budget && candidate.is_baked();
-        let kept = candidates.iter().enumerate().filter(|(_, candidate)| keeps(candidate));
-        if let Some((lightest, _)) = kept.min_by_key(|(_, candidate)| candidate.cost.order()) {
+        if let Some(lightest) = self.lightest(&candidates) {
             let chosen = candidates.remove(lightest);
             return Ok((chosen, candidates));
         }
+        let baked = candidates.iter().filter(|candidate| candidate.is_baked());
+        let closest = baked.min_by(|a, b| a.judged.total_cmp(&b.judged));
         Err(Error::Accuracy {
             scene: self.name.clone(),
             asked,
@@ -140,23 +136,21 @@ impl Scene {
         })
     }
 
+    /// The place of the lightest one whose bound is small enough: not of a table that was not baked, of which less is
+    /// known than its bound.
+    pub(super) fn lightest(&self, candidates: &[Candidate]) -> Option<usize> {
+        let budget = self.budget(candidates);
+        let keeps = |candidate: &Candidate| candidate.judged <= budget && candidate.is_baked();
+        let kept = candidates.iter().enumerate().filter(|(_, candidate)| keeps(candidate));
+        kept.min_by_key(|(_, candidate)| candidate.cost.order()).map(|(place, _)| place)
+    }
+
     /// The largest bound that a candidate beside some others may have to be chosen.
-    fn budget(&self, others: &[Candidate]) -> f32 {
+    pub(super) fn budget(&self, others: &[Candidate]) -> f32 {
         let asked = self.accuracy.unwrap_or_default().max_filter_error;
         let choosy = self.accuracy.is_some() || (self.texture.is_some() && !self.distribution.tabulated());
         let near = others.iter().map(|candidate| NEAR * candidate.judged).reduce(f32::min);
         near.filter(|_| !choosy).map_or(asked, |near| asked.max(near))
-    }
-
-    /// The largest bound with which a table beside some others, of which more may follow, is worth its baking.
-    pub(super) fn worth(&self, others: &[Candidate]) -> f32 {
-        let named = self.tier.is_some() || self.height_tier.is_some_and(HeightTier::stands_alone);
-        let alone = others.is_empty() && self.accuracy.is_none();
-        if named || alone {
-            f32::INFINITY
-        } else {
-            self.budget(others)
-        }
     }
 
     /// Whether a scene with a single candidate names it, so that no accuracy has a say.

@@ -246,7 +246,7 @@ fn described(candidate: &Candidate) -> String {
     let filter = &candidate.filter;
     match (stacked(candidate), filter.bound, filter.tables.first()) {
         (_, bound, Some(table)) if !candidate.is_baked() => {
-            format!("at least {:.1e}: not baked, for {:.1e} between its narrowest rows", bound.value(), table.error)
+            format!("at least {:.1e}, by {:.1e} between its narrowest rows: not baked", bound.value(), table.error)
         }
         (false, Bound::Estimated(bound), Some(table)) => {
             format!("{bound:.1e}, estimated: twice the {:.1e} measured between texels", table.error)

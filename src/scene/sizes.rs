@@ -2,6 +2,7 @@
 
 use super::candidate::Candidate;
 use super::Scene;
+use crate::filter::height::HeightTier;
 use crate::filter::texture::{NODES, SIZES};
 use crate::filter::Tier;
 use crate::table::Table;
@@ -56,6 +57,41 @@ impl Scene {
         Ok(candidates)
     }
 
+    /// The largest bound with which a table beside some others, of which more may follow, is worth its baking.
+    fn worth(&self, others: &[Candidate]) -> f32 {
+        let named = self.tier.is_some() || self.height_tier.is_some_and(HeightTier::stands_alone);
+        let alone = others.is_empty() && self.accuracy.is_none();
+        if named || alone {
+            f32::INFINITY
+        } else {
+            self.budget(others)
+        }
+    }
+
+    /// Whether candidates whose tables are not baked would change nothing beside others, were they as close as may be:
+    /// none of them is both close enough and lighter than what is chosen of the others, or so close that it is not.
+    fn outweighed(&self, unbaked: &[Candidate], others: &[Candidate]) -> bool {
+        let Some(chosen) = self.lightest(others).map(|place| &others[place]) else { return false };
+        let budget = self.budget(others);
+        let wins = |one: &Candidate| one.judged <= budget && one.cost.order() < chosen.cost.order();
+        !unbaked.iter().any(wins) && self.budget(unbaked) >= budget
+    }
+
+    /// The candidates of an attempt, whose tables are not baked where that changes nothing beside others.
+    fn worthwhile(
+        &self,
+        candidates: &[Candidate],
+        attempt: impl Fn(f32) -> Result<Vec<Candidate>, Error>,
+    ) -> Result<Vec<Candidate>, Error> {
+        if self.lightest(candidates).is_some() {
+            let unbaked = attempt(f32::NEG_INFINITY)?;
+            if unbaked.iter().all(Candidate::is_baked) || self.outweighed(&unbaked, candidates) {
+                return Ok(unbaked);
+            }
+        }
+        attempt(self.worth(candidates))
+    }
+
     /// The same beside others, in the order in which they are tried.
     pub(super) fn beside<T: Copy>(
         &self,
@@ -65,7 +101,7 @@ impl Scene {
     ) -> Result<(), Error> {
         let asked = self.accuracy.unwrap_or_default().max_filter_error;
         for (larger, &size) in (0..sizes.len()).rev().zip(sizes) {
-            let tried = attempt(size, self.worth(candidates))?;
+            let tried = self.worthwhile(candidates, |worth| attempt(size, worth))?;
             let may_gain = |candidate: &Candidate| {
                 let tables = candidate.filter.tables.iter().map(Table::part).sum::<f32>();
                 let rest = candidate.judged - tables;
