@@ -53,6 +53,27 @@ struct Entry {
 struct Shelf {
     entries: Vec<Entry>,
     index: BTreeMap<&'static str, usize>,
+    /// The lengths of the names, a bit each, by their first bytes: most words of a text are no name of the shelf.
+    lengths: [u64; 256],
+    /// What any of the declarations mentions of built-ins and keywords.
+    built_ins: BTreeSet<&'static str>,
+}
+
+impl Shelf {
+    /// The order number of a name.
+    fn number(&self, name: &str) -> Option<usize> {
+        let may_be = name.bytes().next().is_some_and(|first| self.lengths[usize::from(first)] & length(name) != 0);
+        if may_be {
+            self.index.get(name).copied()
+        } else {
+            None
+        }
+    }
+}
+
+/// The bit of a name's length, one for all long names.
+fn length(name: &str) -> u64 {
+    1 << name.len().min(63)
 }
 
 fn shelf() -> &'static Shelf {
@@ -66,11 +87,17 @@ fn shelf() -> &'static Shelf {
         let index: BTreeMap<_, _> =
             entries.iter().enumerate().map(|(number, entry)| (entry.declaration.name, number)).collect();
         for entry in &mut entries {
-            let mentions: BTreeSet<&str> = scan::mentions(entry.declaration.text).collect();
+            let scan = Scan::new(entry.declaration.text);
+            let mentions: BTreeSet<&str> = scan.mentions().collect();
             entry.needs = mentions.iter().filter_map(|name| index.get(name).copied()).collect();
-            entry.built_ins = entry.declaration.free();
+            entry.built_ins = &mentions - &scan.locals();
         }
-        Shelf { entries, index }
+        let mut lengths = [0; 256];
+        for name in index.keys() {
+            name.bytes().take(1).for_each(|first| lengths[usize::from(first)] |= length(name));
+        }
+        let built_ins = entries.iter().flat_map(|entry| entry.built_ins.iter().copied()).collect();
+        Shelf { entries, index, lengths, built_ins }
     })
 }
 
@@ -108,7 +135,7 @@ pub fn mentioned(text: &str) -> Vec<(&'static str, &'static Declaration<'static>
 /// The shelf declarations that a text mentions, directly or through one another, in shelf order.
 fn needed(text: &Scan<'_>) -> Vec<&'static Entry> {
     let shelf = shelf();
-    let mut open: Vec<usize> = text.mentions().filter_map(|name| shelf.index.get(name).copied()).collect();
+    let mut open: Vec<usize> = text.mentions().filter_map(|name| shelf.number(name)).collect();
     let mut needed = BTreeSet::new();
     while let Some(number) = open.pop() {
         if needed.insert(number) {
@@ -128,8 +155,9 @@ pub fn collisions(text: &str) -> Vec<Collision> {
 fn collisions_with(text: &Scan<'_>, needed: &[&'static Entry]) -> Vec<Collision> {
     let shelf = shelf();
     let collision = |declaration: Declaration<'_>| {
-        let declared = shelf.index.get(declaration.name).map(|&number| &shelf.entries[number]);
-        let hidden = || needed.iter().copied().find(|entry| entry.built_ins.contains(declaration.name));
+        let declared = shelf.number(declaration.name).map(|number| &shelf.entries[number]);
+        let any = shelf.built_ins.contains(declaration.name);
+        let hidden = || needed.iter().copied().find(|entry| any && entry.built_ins.contains(declaration.name));
         let entry = declared.or_else(hidden)?;
         Some(Collision {
             name: declaration.name.to_owned(),

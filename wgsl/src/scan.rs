@@ -56,7 +56,8 @@ impl<'a> Declaration<'a> {
     /// The names that the declaration mentions and does not declare for itself: its own, those of other declarations,
     /// built-ins and keywords.
     pub fn free(&self) -> BTreeSet<&'a str> {
-        &mentions(self.text).collect::<BTreeSet<_>>() - &locals(self.text)
+        let scan = Scan::new(self.text);
+        &scan.mentions().collect::<BTreeSet<_>>() - &scan.locals()
     }
 }
 
@@ -85,6 +86,23 @@ impl<'a> Scan<'a> {
     /// As [`mentions`].
     pub fn mentions(&self) -> impl Iterator<Item = &'a str> + '_ {
         words(self.text, self.tokens.iter().cloned())
+    }
+
+    /// The names that a declaration declares for itself: parameters, members, and `let`, `var` and `const` in a body.
+    pub fn locals(&self) -> BTreeSet<&'a str> {
+        let text = self.text;
+        let tokens: Vec<&Token> = self.tokens.iter().filter(|token| token.kind != TokenKind::Comment).collect();
+        let mut locals = BTreeSet::new();
+        for pair in tokens.windows(2) {
+            let [first, second] = [&text[pair[0].range.clone()], &text[pair[1].range.clone()]];
+            if pair[0].kind == TokenKind::Word && second == ":" {
+                locals.insert(first);
+            }
+            if pair[1].kind == TokenKind::Word && matches!(first, "let" | "var" | "const") {
+                locals.insert(second);
+            }
+        }
+        locals
     }
 
     /// As [`declarations`].
@@ -140,22 +158,6 @@ fn words(text: &str, tokens: impl Iterator<Item = Token>) -> impl Iterator<Item 
             free.then(|| &text[token.range])
         }
     })
-}
-
-/// The names that a declaration declares for itself: parameters, members, and `let`, `var` and `const` in a body.
-fn locals(text: &str) -> BTreeSet<&str> {
-    let tokens: Vec<Token> = tokens(text).into_iter().filter(|token| token.kind != TokenKind::Comment).collect();
-    let mut locals = BTreeSet::new();
-    for pair in tokens.windows(2) {
-        let [first, second] = [&text[pair[0].range.clone()], &text[pair[1].range.clone()]];
-        if pair[0].kind == TokenKind::Word && second == ":" {
-            locals.insert(first);
-        }
-        if pair[1].kind == TokenKind::Word && matches!(first, "let" | "var" | "const") {
-            locals.insert(second);
-        }
-    }
-    locals
 }
 
 fn keyword(word: &str) -> Option<Kind> {
