@@ -249,8 +249,8 @@ impl Scene {
     ///
     /// In a release build closed forms of some dozen knots take well below 5 ms; beyond some hundred constant knots
     /// naga's time grows with their square. Tables, which are tried unless the scene names a tier or the accuracy
-    /// forbids them, take one core some 3 ms to bake of values or heights for a dozen knots, 10 ms of steepness, 15 ms
-    /// of maps of the whole slope, 50 ms of heights by a curve, and seconds for a thousand knots.
+    /// forbids them, take one core some 3 ms to bake of values or heights for a dozen knots, 5 ms of steepness, 15 ms
+    /// of maps of the whole slope, 40 ms of heights by a curve, and seconds for a thousand knots.
     ///
     /// # Errors
     /// A name that cannot be used, a scene that filters nothing or more than one thing, a setting that has no meaning

@@ -1,8 +1,10 @@
 //! How long does a scene take to become a validated module, and modules to be linked and written as SPIR-V? Fails above
-//! 6 ms, and where all tables of a scene with all filters take above 120 ms: a fifth above what is asked for.
+//! 5 ms, and where all tables of a scene with all filters take above 100 ms.
 //!
 //! What is measured is the processor's time, that of all threads together: as long as one core takes. It is stated for
-//! the median run and for the fastest, which nothing disturbed and which has to be within the limit.
+//! the median run and for the fastest. Tables are within the limit in the median; of links the fastest run has to be,
+//! which nothing disturbed: beside other work, which empties the caches, the median takes up to a tenth longer, more
+//! than is left up to the limit.
 #![deny(missing_docs)]
 
 mod filters;
@@ -10,10 +12,10 @@ mod filters;
 use prefilter::{ColorMap, Error, Kernel, Module, Scene, Tier};
 use rustix::time::{clock_gettime, ClockId};
 
-/// A fifth above what is asked for, 5 ms: a processor with other work takes up to a tenth longer than a quiet one.
-const LINKED: f64 = 6e-3;
-/// Likewise, of 100 ms.
-const BAKED: f64 = 0.12;
+/// Seconds of a link.
+const LINKED: f64 = 5e-3;
+/// Seconds of all tables.
+const BAKED: f64 = 0.1;
 const RUNS: usize = 101;
 const BAKED_RUNS: usize = 7;
 
@@ -50,7 +52,7 @@ fn all_filters() -> Result<(), Box<dyn std::error::Error>> {
         modules.push(scene.module()?);
     }
     println!("all filters: modules and tables {all}");
-    if all.fastest > BAKED {
+    if all.median > BAKED {
         return Err(format!("all filters take more than {BAKED} s to become modules with tables").into());
     }
     let (list, entry): (Vec<&Module>, String) = (modules.iter().collect(), filters::entry(&modules));
