@@ -42,11 +42,15 @@ impl Scene {
             let label = label + &of_texels(nodes, NODES);
             Ok(vec![self.candidate(label, Over::Values, filter.bound.value(), filter, text)?])
         };
-        let edge =
-            map.knots().iter().flat_map(|knot| (0..4).map(|channel| (knot.right[channel] - knot.left[channel]).abs()));
-        let hopeless =
-            !tabulated && self.accuracy.is_some_and(|accuracy| edge.fold(0.0, f32::max) > accuracy.max_filter_error);
-        let tiers = self.tiers().into_iter().filter(|tier| *tier != Tier::Table || self.tier.is_some() || !hopeless);
+        // Closely before and behind an edge among the means narrow values have the two colors of the edge, and a read
+        // of a table, however many columns it has, hardly differs: it errs by half of the jump or more on one side. Its
+        // bound is twice its error: with an accuracy below the jump no table is tried, as none could be chosen.
+        let (low, high) = self.chosen_ranges().mean;
+        let edges = map.knots().iter().filter(|knot| (low..=high).contains(&knot.position));
+        let jumps = edges.flat_map(|knot| (0..4).map(|channel| (knot.right[channel] - knot.left[channel]).abs()));
+        let jump = jumps.fold(0.0, f32::max);
+        let far = !tabulated && self.accuracy.is_some_and(|accuracy| jump > accuracy.max_filter_error);
+        let tiers = self.tiers().into_iter().filter(|tier| *tier != Tier::Table || self.tier.is_some() || !far);
         let mut candidates = Vec::new();
         self.by_tiers(&mut candidates, tiers.collect(), candidate)?;
         Ok(candidates)

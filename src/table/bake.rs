@@ -66,7 +66,7 @@ impl Plan<'_> {
     /// than `most`.
     pub(crate) fn of_values(self, name: &str, most: f32) -> Table {
         let (lattice, normal) = (self.lattice(FLAT), normal());
-        if let Some(error) = self.hopeless(FLOOR, most) {
+        if let Some(error) = self.narrow_error_beyond(FLOOR, most) {
             return lattice.unbaked(name, error);
         }
         let texels = lattice.texels(|_, deviation| move |mean| normal.color(self.map, mean, deviation));
@@ -111,7 +111,7 @@ impl Plan<'_> {
     /// heights err by more than `most`.
     pub(crate) fn of_heights(self, name: &str, floor: f64, most: f32) -> Table {
         let lattice = self.lattice(SLICES);
-        if let Some(error) = self.hopeless(floor, most) {
+        if let Some(error) = self.narrow_error_beyond(floor, most) {
             return lattice.unbaked(name, error);
         }
         let strips = strips();
@@ -121,9 +121,10 @@ impl Plan<'_> {
         lattice.table(name, texels, error)
     }
 
-    /// The error of the narrowest rows, where edges are read worst, if it is more than `most`: that of the whole table
-    /// is no less.
-    fn hopeless(self, floor: f64, most: f32) -> Option<f32> {
+    /// The error of the rows up to the first beyond `floor`, of all values or heights, if it is more than `most`. The
+    /// whole table has these rows, so that it errs by no less; all others are left out then, and `most` is what a table
+    /// may err by for its bound, twice the error and what the tier adds, to be within what may be chosen.
+    fn narrow_error_beyond(self, floor: f64, most: f32) -> Option<f32> {
         if most == f32::INFINITY {
             return None;
         }
