@@ -33,9 +33,9 @@ pub fn filling<E: From<Error>>(
         let each = dispatch.time()?.min(dispatch.time()?) / count as f64;
         Ok((dispatch, each))
     };
-    let (mut count, mut best) = (from, of(from)?);
-    while 4 * count <= MOST {
-        let more = of(4 * count)?;
+    let (mut count, mut best) = (from.max(1), of(from.max(1))?);
+    // What a device cannot hold ends the search, too.
+    while let Some(more) = (4 * count <= MOST).then(|| of(4 * count).ok()).flatten() {
         if best.1 * count as f64 >= SHORT && more.1 > FULL * best.1 {
             break;
         }
@@ -62,6 +62,7 @@ pub fn enlarged<E: From<Error>>(
 /// # Errors
 /// What the device refuses.
 pub fn times_over<E: From<Error>>(taps: usize, prepare: impl Fn(usize) -> Result<Dispatch, E>) -> Result<usize, E> {
+    let taps = taps.max(1);
     Ok(filling(taps, |count| prepare(count / taps))?.1 / taps)
 }
 
