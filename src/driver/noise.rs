@@ -64,7 +64,7 @@ pub struct Noise {
     pub rotation: f32,
     /// Seeds have noise of their own.
     pub seed: u32,
-    /// After how many cells of the first octave it repeats along every axis, up to 2²⁴ of the last octave's; 0 is
+    /// After how many cells of the first octave it repeats along every axis, up to 2²⁰ of the last octave's; 0 is
     /// never. Tiles need a square or cubic lattice, a whole lacunarity and no rotation.
     pub period: u32,
     /// Its mean over all places, −1e6 to 1e6.
@@ -222,7 +222,7 @@ impl Noise {
             }
             _ if self.rotation != 0.0 => refuse("has octaves that are not turned; give it a `rotation` of 0"),
             _ if self.lacunarity.fract() != 0.0 => refuse("has a whole `lacunarity`"),
-            _ if cells > 16_777_216.0 => refuse("has at most 2²⁴ of them in the last octave"),
+            _ if cells > 1_048_576.0 => refuse("has at most 2²⁰ of them in the last octave"),
             _ => Ok(()),
         }
     }

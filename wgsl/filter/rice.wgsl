@@ -58,7 +58,7 @@ const rice_split_least = 0.55;
 /// Domain: view unit upper, mean_slope in [-0.2, 0.2], covariance psd(0.15, 0.3, 0.5).
 /// Error: 8e-3 absolute; of `rounds_three`, where the deviations of the visible slopes differ by more than a tenth.
 fn rice_split(view: vec3f, mean_slope: vec2f, covariance: vec3f) -> rice_parts {
-    let limited = covariance * (1e12 / clamp(max(covariance.x, covariance.z), 1e12, 3e38));
+    let limited = covariance * (2.5e11 / clamp(0.25 * max(covariance.x, covariance.z), 2.5e11, 8e37));
     let factor = slopes_factor(view, limited);
     let slope = clamp(mean_slope, vec2f(-1e6), vec2f(1e6));
     let parameter = slopes_parameter(view, slope, factor);

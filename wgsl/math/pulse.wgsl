@@ -108,8 +108,10 @@ fn pulse_train_box(position: f32, duty: f32, width: f32) -> f32 {
     let x = position - round(position);
     let d = clamp(duty, 0.0, 1.0);
     if width <= 1.0 {
-        // The pulse before, half a period further: both sums are exact where a narrow box meets its end.
-        return clamp(pulse_box(x, 0.0, d, width) + pulse_box(x + 0.5, -0.5, d - 0.5, width), 0.0, 1.0);
+        // The pulse before, moved so that sums are exact where a narrow box meets its end.
+        let shift = select(0.0, 0.5, x < -0.25);
+        let before = pulse_box(x + shift, shift - 1.0, d - (1.0 - shift), width);
+        return clamp(pulse_box(x, 0.0, d, width) + before, 0.0, 1.0);
     }
     let ends = x + vec2f(-0.5, 0.5) * min(width, 1e9);
     let whole = floor(ends);

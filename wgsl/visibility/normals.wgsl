@@ -80,7 +80,7 @@ fn normals_gaussian(
 /// Error: 2e-3 absolute; of the four Gaussians.
 fn normals_visible(view: vec3f, mean_slope: vec2f, covariance: vec3f) -> normals_means {
     let finite = clamp(covariance, vec3f(-3e38), vec3f(3e38));
-    let c = finite * (1e4 / max(max(finite.x, finite.z), 1e4));
+    let c = finite * (2.5e3 / max(0.25 * max(finite.x, finite.z), 2.5e3));
     let factor = slopes_factor(view, c);
     let area = slopes_area(view, mean_slope, factor);
     let u = slopes_moments(slopes_parameter(view, mean_slope, factor));
@@ -109,7 +109,7 @@ fn normals_visible(view: vec3f, mean_slope: vec2f, covariance: vec3f) -> normals
 /// Error: 1e-2 absolute; of the three Gaussians.
 fn normals_visible_fast(view: vec3f, mean_slope: vec2f, covariance: vec3f) -> normals_means {
     let finite = clamp(covariance, vec3f(-3e38), vec3f(3e38));
-    let c = finite * (1e4 / max(max(finite.x, finite.z), 1e4));
+    let c = finite * (2.5e3 / max(0.25 * max(finite.x, finite.z), 2.5e3));
     let factor = slopes_factor(view, c);
     let area = slopes_area(view, mean_slope, factor);
     let u = slopes_moments(slopes_parameter(view, mean_slope, factor));

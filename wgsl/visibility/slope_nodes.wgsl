@@ -55,7 +55,7 @@ fn slope_nodes_lambda(view: vec3f, mean_slope: vec2f, scales: vec4f, weights: ve
 /// Source: the mean of P(h)^Λ over a node's heights when −ln P has a gamma distribution of mean `rates` and variance
 ///   `rates` · `spreads`. Spreads below 0.02 count as 0.02.
 /// Domain: lambda log in [1e-4, 1e6], rates in [0, 8], spreads in [0.02, 64].
-/// Error: 9e-5 of 1 + the result; f32 rounding of 1 + Λ spread where that is next to 1.
+/// Error: 9e-5 of 1 + the result; f32 rounding of 1 + Λ spread next to 1, and the device's log2 there.
 fn slope_nodes_bits(lambda: f32, rates: vec4f, spreads: vec4f) -> vec4f {
     let spread = clamp(spreads, vec4f(0.02), vec4f(1e3));
     return clamp(rates, vec4f(), vec4f(1e5)) / spread * log2(1.0 + clamp(lambda, 0.0, 2e6) * spread);

@@ -26,7 +26,7 @@ fn slopes_factor(view: vec3f, covariance: vec3f) -> vec4f {
     let v = clamp(view.xy, vec2f(-1.0), vec2f(1.0));
     let squared = dot(v, v);
     let toward = select(vec2f(1.0, 0.0), v * inverseSqrt(max(squared, 1e-36)), squared > 1e-36);
-    let scaled = covariance * (1e18 / clamp(max(covariance.x, covariance.z), 1e18, 3e38));
+    let scaled = covariance * (2.5e17 / clamp(0.25 * max(covariance.x, covariance.z), 2.5e17, 8e37)); // to 2¹²⁶
     let c = clamp(scaled.xz, vec2f(), vec2f(1e18));
     let most = sqrt(c.x) * sqrt(c.y);
     let both = clamp(scaled.y, -most, most);

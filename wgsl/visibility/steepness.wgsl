@@ -33,7 +33,7 @@ fn steepness_spread(parameter: f32) -> f32 {
 /// Domain: view unit, mean_slope in [-1, 1], covariance psd(0.1, 2, 0.9).
 /// Error: 2e-4 relative; of the fits, f32 rounding where a mean slope is many deviations.
 fn steepness_moments(view: vec3f, mean_slope: vec2f, covariance: vec3f) -> vec2f {
-    let limited = covariance * (1e12 / clamp(max(covariance.x, covariance.z), 1e12, 3e38));
+    let limited = covariance * (2.5e11 / clamp(0.25 * max(covariance.x, covariance.z), 2.5e11, 8e37));
     let factor = slopes_factor(view, limited);
     let slope = clamp(mean_slope, vec2f(-1e6), vec2f(1e6));
     let parameter = slopes_parameter(view, slope, factor);

@@ -12,7 +12,8 @@
 /// Domain: lambda log in [1e-6, 1e6].
 /// Error: 2e-7 absolute; f32 rounding and the device's division.
 fn visibility_masking(lambda: f32) -> f32 {
-    return select(1.0 / (1.0 + max(lambda, 0.0)), 0.0, lambda >= smith_horizon);
+    // The quotient of 1 may round to more, as in `visibility_shadowing`.
+    return select(min(1.0 / (1.0 + max(lambda, 0.0)), 1.0), 0.0, lambda >= smith_horizon);
 }
 
 /// Share of the seen points that are lit, V̄, from the Λ of view and light: 1 without shadows, never more.

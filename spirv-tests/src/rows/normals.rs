@@ -53,10 +53,12 @@ fn covered(x: &[f64], most: f64) -> bool {
     x[2].min(above) >= 0.0872 && deviations(visible.covariance)[0] <= most
 }
 
-/// Views 5 degrees above the plane and the mean surface: of round and of long slopes with the largest deviation, along
-/// and aslant, over level and tilted surfaces.
+/// Views 5 degrees above the plane: of round and of long slopes with next to the largest deviation, along and aslant,
+/// over level surfaces and such that lean away.
 fn ends(most: f64) -> [[f64; 8]; 6] {
-    let [v, long, both] = [most * most, most * most / 1.9, 0.9 * most * most / 1.9];
+    // Less than the rounding of numbers beside, which are judged, too.
+    let v = 0.999_998 * most * most;
+    let [long, both] = [v / 1.9, 0.9 * v / 1.9];
     let (far, low) = (0.99618, 0.0873);
     [
         [far, 0.0, low, 0.0, 0.0, v, 0.0, v],
@@ -80,4 +82,17 @@ pub(super) fn rows() -> Vec<Row> {
         Row::new("normals_visible_fast", |x| means(&seen(x))).at(ends(1.0)).only_where(|x| covered(x, 1.0)),
         Row::new("normals_visible_points", |x| means(&seen(x))).at(ends(0.3)).only_where(|x| covered(x, 0.3)),
     ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ends_are_judged() {
+        for most in [1.0, 0.3] {
+            let rounded = ends(most).map(|end| end.map(|number| f64::from(number as f32)));
+            assert!(rounded.iter().all(|end| covered(end, most)), "{most}: {rounded:?}");
+        }
+    }
 }
