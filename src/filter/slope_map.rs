@@ -4,8 +4,8 @@
 //! The visible slopes are represented by one or two normal distributions, as in [`slope`](super::slope), and each of
 //! those by a few round ones along its major axis.
 
-use super::shared::statements;
-use super::slope::{shared, SlopeTier, VIEWED};
+use super::shared::{statements, Shared};
+use super::slope::{self, SlopeTier, VIEWED};
 use super::texture::{color_type, number, Filter};
 use crate::accuracy::{Bound, Ranges};
 use crate::table::grid::{Axis, Spacing, BEND};
@@ -21,8 +21,8 @@ use crate::transfer::slope_map::{SlopeDomain, SlopeMap};
 /// | deviations of the axes | one read | three | five | seven | nine |
 /// |---|---|---|---|---|---|
 /// | 1:1 | 0 | 0 | 0 | 0 | 0 |
-/// | 2:1 | 0.102 | 0.017 | 0.0016 | 0.0004 | 0.0001 |
-/// | 4:1 | 0.20 | 0.077 | 0.026 | 0.0066 | 0.0019 |
+/// | 2:1 | 0.102 | 0.017 | 0.0016 | 0.0002 | 0.0001 |
+/// | 4:1 | 0.20 | 0.077 | 0.026 | 0.0061 | 0.0019 |
 ///
 /// Seen from the horizon of the mean surface, the normal distribution of visible slopes is up to 1.5 times longer
 /// across the view than that of all slopes, and the longer one of two up to 2.6 times.
@@ -35,7 +35,7 @@ pub enum SlopeTaps {
     Three,
     /// Five, up to 6.2 times.
     Five,
-    /// Seven, up to 8.3 times; of two normal distributions for the longer one, and five for the other. As close as nine
+    /// Seven, up to 8.3 times; of two normal distributions for the longer one, and six for the other. As close as nine
     /// each where slopes vary up to twice as much along an axis as across.
     Seven,
     /// Nine, up to 11 times: as long as what is seen from the horizon of slopes that vary four times as much across
@@ -146,7 +146,7 @@ impl Atlas {
 /// `shapes_keep_the_figures_of_their_tiers` in `spirv-tests/tests/slope_map/figures.rs` measures them on the device.
 const UNWEIGHTED: [f64; 5] = [0.643, 0.587, 0.579, 0.577, 0.577];
 const GAUSSIAN: [f64; 5] = [0.163, 4.75e-2, 4.7e-2, 4.7e-2, 4.7e-2];
-const PAIR: [f64; 5] = [0.177, 6.15e-2, 2.35e-2, 1.21e-2, 1.18e-2];
+const PAIR: [f64; 5] = [0.177, 6.15e-2, 2.35e-2, 1.3e-2, 1.3e-2];
 
 /// The largest error of a map with one edge from 0 to 1.
 pub(crate) fn edge_error(tier: SlopeTier, taps: SlopeTaps) -> f64 {
@@ -159,53 +159,57 @@ pub(crate) fn edge_error(tier: SlopeTier, taps: SlopeTaps) -> f64 {
     errors[taps as usize]
 }
 
-/// The shelf's function of so many reads.
-fn function(taps: SlopeTaps) -> &'static str {
+/// The shelf's functions of so many reads, for the longer of two distributions and for the shorter one.
+fn functions(taps: SlopeTaps) -> [&'static str; 2] {
     match taps {
-        SlopeTaps::One => "slope_map_one",
-        SlopeTaps::Three => "slope_map_three",
-        SlopeTaps::Five => "slope_map_five",
-        SlopeTaps::Seven => "slope_map_seven",
-        SlopeTaps::Nine => "slope_map_nine",
+        SlopeTaps::One => ["slope_map_one"; 2],
+        SlopeTaps::Three => ["slope_map_three"; 2],
+        SlopeTaps::Five => ["slope_map_five"; 2],
+        SlopeTaps::Seven => ["slope_map_seven", "slope_map_six"],
+        SlopeTaps::Nine => ["slope_map_nine"; 2],
     }
 }
 
-/// The reads of the shorter of two distributions.
-fn fewer(taps: SlopeTaps) -> SlopeTaps {
-    match taps {
-        SlopeTaps::Seven => SlopeTaps::Five,
-        same => same,
+/// What of the slopes a tier needs: that of Cs, but for the two normal distributions.
+pub(crate) fn shared(tier: SlopeTier) -> Vec<Shared> {
+    let mut shared = slope::shared(tier);
+    if let (SlopeTier::Pair, Some(pair)) = (tier, shared.last_mut()) {
+        *pair = Shared::new("split", "vec4f", "split_pair(parameter)");
     }
+    shared
 }
 
 /// The body of a tier.
 pub(crate) fn body(atlas: &Atlas, map: &SlopeMap, tier: SlopeTier, taps: SlopeTaps) -> String {
     let layout = &atlas.layout;
-    let read = |taps: SlopeTaps, mean: &str, covariance: &str| {
-        format!("{}({mean}, {covariance}, {layout}, table, table_sampler)", function(taps))
+    let [function, fewer] = functions(taps);
+    let read = |function: &str, mean: &str, covariance: &str| {
+        format!("{function}({mean}, {covariance}, {layout}, table, table_sampler)")
     };
-    let part = |taps: SlopeTaps, mean: &str, variance: &str| {
-        read(taps, &format!("mean_slope + {mean} * factor.xy"), &format!("slopes_covariance(factor, {variance})"))
+    let part = |function: &str, mean: &str, variance: &str| {
+        read(function, &format!("mean_slope + {mean} * factor.xy"), &format!("slopes_covariance(factor, {variance})"))
     };
     let channels = if map.channels() == 3 { ".rgb" } else { "" };
-    let ordered = fewer(taps) != taps;
-    let both = if ordered { "longer" } else { "pair" };
+    let ordered = fewer != function;
+    let both = if ordered { "longer" } else { "split" };
     match tier {
         SlopeTier::Naive => {
             format!("    return slope_map_read(mean_slope, 0.0, {layout}, table, table_sampler){channels};\n")
         }
-        SlopeTier::Unweighted => format!("    return {}{channels};\n", read(taps, "mean_slope", "slope_covariance")),
-        SlopeTier::Gaussian => format!("    return {}{channels};\n", part(taps, "moments.x", "moments.y")),
+        SlopeTier::Unweighted => {
+            format!("    return {}{channels};\n", read(function, "mean_slope", "slope_covariance"))
+        }
+        SlopeTier::Gaussian => format!("    return {}{channels};\n", part(function, "moments.x", "moments.y")),
         SlopeTier::Pair => format!(
             "{}    var c = {};
-    if parameter < slopes_single {{
+    if parameter < split_single {{
         c = 0.5 * (c + {});
     }}
     return c{channels};
 ",
-            if ordered { "    let longer = rounds_longer_first(factor, pair);\n" } else { "" },
-            part(taps, &format!("{both}.x"), &format!("{both}.y")),
-            part(fewer(taps), &format!("{both}.z"), &format!("{both}.w"))
+            if ordered { "    let longer = split_longer_first(factor, split);\n" } else { "" },
+            part(function, &format!("{both}.x"), &format!("{both}.y")),
+            part(fewer, &format!("{both}.z"), &format!("{both}.w"))
         ),
     }
 }

@@ -1,5 +1,6 @@
-//! A normal distribution as a sum of narrower ones, by the least largest error of a step.
+//! A normal distribution as a sum of narrower ones, by the least largest error of a step, or with those of a kink.
 
+use crate::reference::least::{least, solved};
 use crate::reference::normal::{cumulative, density};
 
 /// Where errors are looked at: in deviations of the whole, of which they are odd functions.
@@ -44,27 +45,6 @@ fn largest(peaks: &[(f64, f64)]) -> f64 {
     peaks.iter().map(|peak| peak.1.abs()).fold(0.0, f64::max)
 }
 
-/// The solution of a system of equations by elimination, with the right side in the last column; none where it has
-/// no single one.
-fn solved(mut rows: Vec<Vec<f64>>) -> Option<Vec<f64>> {
-    let count = rows.len();
-    for column in 0..count {
-        let pivot = (column..count).max_by(|&a, &b| rows[a][column].abs().total_cmp(&rows[b][column].abs()))?;
-        rows.swap(column, pivot);
-        if rows[column][column].abs() < 1e-300 {
-            return None;
-        }
-        let taken = rows[column].clone();
-        for (_, row) in rows.iter_mut().enumerate().filter(|(row, _)| *row != column) {
-            let share = row[column] / taken[column];
-            for (entry, taken) in row.iter_mut().zip(&taken) {
-                *entry -= share * taken;
-            }
-        }
-    }
-    Some((0..count).map(|row| rows[row][count] / rows[row][row]).collect())
-}
-
 /// The sum nearest to a standard normal distribution, of ones with the deviation `part`: one on the mean and half as
 /// many pairs as there are numbers. From a sum that is near it, by exchange: errors as large as each other, of
 /// alternating signs, at one place more than there are numbers.
@@ -97,4 +77,34 @@ pub fn nearest<const N: usize>(part: f64, from: Pairs<N>) -> Pairs<N> {
         break;
     }
     pairs
+}
+
+/// The mean of max(at − x, 0) over a normal variable x about 0.
+fn below(at: f64, deviation: f64) -> f64 {
+    at * cumulative(at / deviation) + deviation * density(at / deviation)
+}
+
+/// Errors of steps, and twice those of kinks, of a sum of normal distributions of the deviation `part`: a weight on the
+/// mean and pairs of a place and a weight.
+fn errors(part: f64, middle: f64, pairs: &[[f64; 2]]) -> Vec<f64> {
+    let sum = |of: &dyn Fn(f64) -> f64, at: f64| {
+        pairs.iter().map(|[place, weight]| weight * (of(at - place) + of(at + place))).sum::<f64>() + middle * of(at)
+    };
+    let places = || (0..=PLACES / 2).map(|place| 2.0 * STEP * f64::from(place));
+    let steps = places().map(|at| sum(&|from| cumulative(from / part), at) - cumulative(at));
+    steps.chain(places().map(|at| 2.0 * (sum(&|from| below(from, part), at) - below(at, 1.0)))).collect()
+}
+
+/// Three pairs about one on the mean, as [`nearest`], but with the least sum of eighth powers of the errors of steps
+/// and of twice those of kinks, in deviations of the whole.
+pub fn seven(part: f64, from: [f64; 6]) -> [f64; 6] {
+    least(from, |[p, q, r, a, b, c]| errors(part, 1.0 - 2.0 * (a + b + c), &[[p, a], [q, b], [r, c]]))
+}
+
+/// Three pairs alone: their places and weights, the last of which is what the others leave.
+pub fn six(part: f64, from: [f64; 6]) -> [f64; 6] {
+    let [p, q, r, a, b, _] = from;
+    let found = least([p, q, r, a, b], |[p, q, r, a, b]| errors(part, 0.0, &[[p, a], [q, b], [r, 0.5 - a - b]]));
+    let [p, q, r, a, b] = found;
+    [p, q, r, a, b, 0.5 - a - b]
 }

@@ -30,8 +30,8 @@ const LOOPS: [&str; 3] = ["texture_knots", "height_knots", "percentile_knots"];
 /// Exports with a loop over the nodes of the visible slopes.
 const NODES: [&str; 2] = ["lit", "radiance"];
 
-/// The shelf's loops over the two sides of a mean slope.
-const SIDES: [&str; 4] = ["rice_five", "slope_map_five", "slope_map_seven", "slope_map_nine"];
+/// The shelf's loop over the two sides of a mean slope.
+const SIDES: [&str; 1] = ["rice_five"];
 
 /// The shelf's loops over the waves and the corners of patterns, footprints narrower than 0.03 periods take more waves,
 /// and over the edges of a cell in space.

@@ -8,7 +8,7 @@ use crate::filter::distribution::Distribution;
 use crate::filter::height::{surface, HeightTier, Microsurface};
 use crate::filter::shared::Shared;
 use crate::filter::texture::color_type;
-use crate::filter::{slope, steepness};
+use crate::filter::{slope, slope_map, steepness};
 use crate::table::Table;
 use crate::transfer::color_map::ColorMap;
 use crate::{Accuracy, Error};
@@ -124,7 +124,8 @@ pub(super) fn shared(layers: &[Layer<'_>], surface: Microsurface) -> Vec<Shared>
     for layer in layers {
         let of = match layer.chosen.over {
             Over::Heights(tier) => surface::shared(if exact { HeightTier::Exact } else { tier }, surface),
-            Over::Slopes(tier) | Over::SlopeMap(tier, _) => slope::shared(tier),
+            Over::Slopes(tier) => slope::shared(tier),
+            Over::SlopeMap(tier, _) => slope_map::shared(tier),
             Over::Steepness(tier) => steepness::shared(tier),
             Over::Values | Over::Normals(_) => Vec::new(),
         };

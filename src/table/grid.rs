@@ -118,6 +118,16 @@ impl Axis {
         }
     }
 
+    /// By how much reading between a node and those beside it widens what is read: half of the largest variance that
+    /// linear weights have, a quarter of the square of their distance. Nodes over so much less are as far off between
+    /// nodes, one way, as at them the other.
+    pub(crate) fn widening(&self, node: usize) -> f64 {
+        let last = self.count.saturating_sub(1);
+        let beside = [node.saturating_sub(1), (node + 1).min(last)].map(|beside| self.value(beside as f64));
+        let here = self.value(node as f64);
+        0.0625 * beside.map(|beside| (here - beside).powi(2)).iter().sum::<f64>()
+    }
+
     /// The node number of a value: the inverse of [`Self::value`], clamped to the nodes as a clamping sampler does.
     pub fn number(&self, value: f64) -> f64 {
         let part = (value - self.low) / (self.high - self.low);

@@ -76,6 +76,12 @@ impl<'a> Hats<'a> {
     pub(super) fn all(&self, means: &[f64], deviation: f64) -> Vec<Weights> {
         means.iter().map(|&mean| self.weights(mean, deviation)).collect()
     }
+
+    /// The same by a variance of less for each place, where there is so much.
+    pub(super) fn narrowed(&self, means: &[f64], variance: f64, less: &[f64]) -> Vec<Weights> {
+        let weights = |(&mean, less): (&f64, &f64)| self.weights(mean, (variance - less).max(0.0).sqrt());
+        means.iter().zip(less).map(weights).collect()
+    }
 }
 
 /// Weighted sums of whole rows of so many numbers.

@@ -1,5 +1,8 @@
 //! Tables of a map's means over round normal distributions of slopes: baked exactly, because the mean of a product is
 //! the product of the means along both components, and judged by quadrature of the map.
+//!
+//! Reading between nodes is a mean over them: it widens what is read. Nodes are over distributions that are narrower by
+//! as much as reads widen them, which leaves half of the largest error and less than that of a typical one.
 
 use super::grid::Axis;
 use super::hats::{of_colors, of_rows, Hats, Weights};
@@ -43,9 +46,11 @@ impl Plan<'_> {
     pub(crate) fn table(self, name: &str) -> Baked {
         let sheet = Sheet::new(self);
         let nodes: Vec<f64> = (0..self.slopes.count).map(|node| self.slopes.value(node as f64)).collect();
+        let widened: Vec<f64> = (0..self.slopes.count).map(|node| self.slopes.widening(node)).collect();
         let mut texels = vec![0.0; 4 * nodes.len() * nodes.len() * self.deviations.count];
         filled(&mut texels, 4 * nodes.len() * nodes.len(), |slice, texels| {
-            let sums = sheet.hats.all(&nodes, self.deviations.value(slice as f64));
+            let variance = self.deviations.value(slice as f64).powi(2) - self.deviations.widening(slice);
+            let sums = sheet.hats.narrowed(&nodes, variance, &widened);
             sheet.means([&sums, &sums], |row, column, color| {
                 let texel = &mut texels[4 * (row * nodes.len() + column)..][..4];
                 texel.iter_mut().zip(color).for_each(|(texel, value)| *texel = half_rounded(value.into()));
@@ -78,7 +83,7 @@ impl Plan<'_> {
     }
 
     /// The largest difference at a deviation and where it is: at the centers of cells, beside them on the lines of
-    /// nodes, and beyond the axis.
+    /// nodes, on nodes, and beyond the axis.
     fn worst(self, sheet: &Sheet<'_>, texels: &[f32], deviation: f64) -> [f32; 3] {
         let asked = |slope: &f64| slope.abs() <= self.farthest;
         let half = |half: usize| self.slopes.value(0.5 * half as f64);
@@ -87,6 +92,7 @@ impl Plan<'_> {
         let [every, other] = if deviation < self.smooth { [1, 1] } else { [3, 2] };
         let columns = (0..2 * self.slopes.count - 1).step_by(every).map(half);
         let centers = (1..self.slopes.count).step_by(other).map(|cell| half(2 * cell - 1));
+        let centers = centers.chain((0..self.slopes.count).step_by(4).map(|node| half(2 * node)));
         let columns: Vec<f64> = columns.chain(beyond).filter(asked).collect();
         let centers: Vec<f64> = centers.chain(beyond).filter(asked).collect();
         let size = self.slopes.count;

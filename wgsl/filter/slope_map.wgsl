@@ -11,16 +11,28 @@
 /// deviation in place of a pyramid.
 /// Domain: mean in [-1.5, 1.5], deviation log in [0.1, 0.5], per_slope in [0.396875, 0.396875], bend in [0.4, 0.4],
 ///   per_deviation in [24, 24], per_octave in [0.25672624, 0.25672624].
-/// Error: 2e-3 absolute; trilinear interpolation of 128 × 128 × 20 nodes for a random map of 2 × 2 cells.
-fn slope_map_read(
-    mean: vec2f, deviation: f32, per_slope: f32, bend: f32, per_deviation: f32, per_octave: f32,
-    table: texture_3d<f32>, table_sampler: sampler,
-) -> vec4f {
-    let m = clamp(mean, vec2f(-1e18), vec2f(1e18));
-    let at = clamp(0.5 + per_slope * m / (1.0 + bend * abs(m)), vec2f(), vec2f(1.0));
+/// Error: 1e-3 absolute; trilinear interpolation of 128 × 128 × 20 nodes for a random map of 2 × 2 cells.
+fn slope_map_read(mean: vec2f, deviation: f32, per_slope: f32, bend: f32, per_deviation: f32, per_octave: f32,
+    table: texture_3d<f32>, table_sampler: sampler) -> vec4f {
+    let m = clamp(bend * mean, vec2f(-1e12), vec2f(1e12));
+    // One division for both components.
+    let b = 1.0 + abs(m);
+    let at = clamp(0.5 + per_slope / (bend * b.x * b.y) * (m * b.yx), vec2f(), vec2f(1.0));
     // From the center of the first slice, ½/20.
     let slice = 0.025 + per_octave * log2(1.0 + per_deviation * clamp(deviation, 0.0, 1e18));
     return textureSampleLevel(table, table_sampler, vec3f(at, min(slice, 1.0)), 0.0);
+}
+
+/// Sum of the means over two round normal distributions of slopes on either side of a mean.
+///
+/// Source: the definition.
+/// Domain: mean in [-0.5, 0.5], away in [-1, 1], deviation log in [0.1, 0.5], per_slope in [0.396875, 0.396875],
+///   bend in [0.4, 0.4], per_deviation in [24, 24], per_octave in [0.25672624, 0.25672624].
+/// Error: 1.5e-3 absolute; of both reads.
+fn slope_map_sides(mean: vec2f, away: vec2f, deviation: f32, per_slope: f32, bend: f32, per_deviation: f32,
+    per_octave: f32, table: texture_3d<f32>, table_sampler: sampler) -> vec4f {
+    return slope_map_read(mean - away, deviation, per_slope, bend, per_deviation, per_octave, table, table_sampler)
+        + slope_map_read(mean + away, deviation, per_slope, bend, per_deviation, per_octave, table, table_sampler);
 }
 
 /// Mean of a map over a normal distribution of slopes, by the round one of the same area.
@@ -29,10 +41,8 @@ fn slope_map_read(
 /// Domain: mean in [-1.5, 1.5], covariance psd(0.2, 0.4, 0.5), per_slope in [0.396875, 0.396875], bend in [0.4, 0.4],
 ///   per_deviation in [24, 24], per_octave in [0.25672624, 0.25672624].
 /// Error: 8e-2 absolute; of the shape, for a random map of 2 × 2 cells and axes of ratios up to 3.
-fn slope_map_one(
-    mean: vec2f, covariance: vec3f, per_slope: f32, bend: f32, per_deviation: f32, per_octave: f32,
-    table: texture_3d<f32>, table_sampler: sampler,
-) -> vec4f {
+fn slope_map_one(mean: vec2f, covariance: vec3f, per_slope: f32, bend: f32, per_deviation: f32, per_octave: f32,
+    table: texture_3d<f32>, table_sampler: sampler) -> vec4f {
     let d = footprint_deviations(covariance);
     let s = sqrt(d.x) * sqrt(d.y);
     return slope_map_read(mean, s, per_slope, bend, per_deviation, per_octave, table, table_sampler);
@@ -44,19 +54,16 @@ fn slope_map_one(
 /// Domain: mean in [-1.5, 1.5], covariance psd(0.2, 0.4, 0.5), per_slope in [0.396875, 0.396875], bend in [0.4, 0.4],
 ///   per_deviation in [24, 24], per_octave in [0.25672624, 0.25672624].
 /// Error: 6e-3 absolute; of the shape, for a random map of 2 × 2 cells and axes of ratios up to 3.
-fn slope_map_three(
-    mean: vec2f, covariance: vec3f, per_slope: f32, bend: f32, per_deviation: f32, per_octave: f32,
-    table: texture_3d<f32>, table_sampler: sampler,
-) -> vec4f {
+fn slope_map_three(mean: vec2f, covariance: vec3f, per_slope: f32, bend: f32, per_deviation: f32, per_octave: f32,
+    table: texture_3d<f32>, table_sampler: sampler) -> vec4f {
     let d = footprint_deviations(covariance);
     let part = clamp(d.y / max(d.x, 1e-30), rounds_three_least, 1.0);
     let sides = rounds_three(part);
     let away = sqrt(1.0 - part * part) * sides.x * d.x * footprint_direction(covariance);
     let s = part * d.x;
     let middle = slope_map_read(mean, s, per_slope, bend, per_deviation, per_octave, table, table_sampler);
-    let left = slope_map_read(mean - away, s, per_slope, bend, per_deviation, per_octave, table, table_sampler);
-    let right = slope_map_read(mean + away, s, per_slope, bend, per_deviation, per_octave, table, table_sampler);
-    return mix(middle, 0.5 * (left + right), 2.0 * sides.y);
+    let both = slope_map_sides(mean, away, s, per_slope, bend, per_deviation, per_octave, table, table_sampler);
+    return mix(middle, 0.5 * both, 2.0 * sides.y);
 }
 
 /// Mean of a map over a normal distribution of slopes, by five round ones on its major axis.
@@ -64,26 +71,38 @@ fn slope_map_three(
 /// Source: `rounds_five`.
 /// Domain: mean in [-1.5, 1.5], covariance psd(0.2, 0.4, 0.5), per_slope in [0.396875, 0.396875], bend in [0.4, 0.4],
 ///   per_deviation in [24, 24], per_octave in [0.25672624, 0.25672624].
-/// Error: 2e-3 absolute; of the shape, for a random map of 2 × 2 cells and axes of ratios up to 3.
-fn slope_map_five(
-    mean: vec2f, covariance: vec3f, per_slope: f32, bend: f32, per_deviation: f32, per_octave: f32,
-    table: texture_3d<f32>, table_sampler: sampler,
-) -> vec4f {
+/// Error: 1e-3 absolute; of the shape, for a random map of 2 × 2 cells and axes of ratios up to 3.
+fn slope_map_five(mean: vec2f, covariance: vec3f, per_slope: f32, bend: f32, per_deviation: f32, per_octave: f32,
+    table: texture_3d<f32>, table_sampler: sampler) -> vec4f {
     let d = footprint_deviations(covariance);
     let part = clamp(d.y / max(d.x, 1e-30), rounds_five_least, 1.0);
     let arms = rounds_five(part);
     let away = sqrt(1.0 - part * part) * d.x * footprint_direction(covariance);
     let s = part * d.x;
     let middle = slope_map_read(mean, s, per_slope, bend, per_deviation, per_octave, table, table_sampler);
-    var near = vec4f();
-    var far = vec4f();
-    for (var side = -1.0; side < 2.0; side += 2.0) {
-        let inner = mean + side * arms.x * away;
-        let outer = mean + side * arms.y * away;
-        near += slope_map_read(inner, s, per_slope, bend, per_deviation, per_octave, table, table_sampler);
-        far += slope_map_read(outer, s, per_slope, bend, per_deviation, per_octave, table, table_sampler);
-    }
-    return mix(middle, 0.5 * near, 2.0 * arms.z) + arms.w * (far - 2.0 * middle);
+    let a = slope_map_sides(mean, arms.x * away, s, per_slope, bend, per_deviation, per_octave, table, table_sampler);
+    let b = slope_map_sides(mean, arms.y * away, s, per_slope, bend, per_deviation, per_octave, table, table_sampler);
+    return mix(middle, 0.5 * a, 2.0 * arms.z) + arms.w * (b - 2.0 * middle);
+}
+
+/// Mean of a map over a normal distribution of slopes, by six round ones on its major axis.
+///
+/// Source: `rounds_six_places`.
+/// Domain: mean in [-1.5, 1.5], covariance psd(0.2, 0.4, 0.5), per_slope in [0.396875, 0.396875], bend in [0.4, 0.4],
+///   per_deviation in [24, 24], per_octave in [0.25672624, 0.25672624].
+/// Error: 1e-3 absolute; of the table, for a random map of 2 × 2 cells and axes of ratios up to 3.
+fn slope_map_six(mean: vec2f, covariance: vec3f, per_slope: f32, bend: f32, per_deviation: f32, per_octave: f32,
+    table: texture_3d<f32>, table_sampler: sampler) -> vec4f {
+    let d = footprint_deviations(covariance);
+    let part = clamp(d.y / max(d.x, 1e-30), rounds_seven_least, 1.0);
+    let places = rounds_six_places(part);
+    let weights = rounds_six_weights(part);
+    let away = sqrt(1.0 - part * part) * d.x * footprint_direction(covariance);
+    let s = part * d.x;
+    let a = slope_map_sides(mean, places.x * away, s, per_slope, bend, per_deviation, per_octave, table, table_sampler);
+    let b = slope_map_sides(mean, places.y * away, s, per_slope, bend, per_deviation, per_octave, table, table_sampler);
+    let c = slope_map_sides(mean, places.z * away, s, per_slope, bend, per_deviation, per_octave, table, table_sampler);
+    return weights.x * a + weights.y * b + weights.z * c;
 }
 
 /// Mean of a map over a normal distribution of slopes, by seven round ones on its major axis.
@@ -92,10 +111,8 @@ fn slope_map_five(
 /// Domain: mean in [-1.5, 1.5], covariance psd(0.2, 0.4, 0.5), per_slope in [0.396875, 0.396875], bend in [0.4, 0.4],
 ///   per_deviation in [24, 24], per_octave in [0.25672624, 0.25672624].
 /// Error: 1e-3 absolute; of the table, for a random map of 2 × 2 cells and axes of ratios up to 3.
-fn slope_map_seven(
-    mean: vec2f, covariance: vec3f, per_slope: f32, bend: f32, per_deviation: f32, per_octave: f32,
-    table: texture_3d<f32>, table_sampler: sampler,
-) -> vec4f {
+fn slope_map_seven(mean: vec2f, covariance: vec3f, per_slope: f32, bend: f32, per_deviation: f32, per_octave: f32,
+    table: texture_3d<f32>, table_sampler: sampler) -> vec4f {
     let d = footprint_deviations(covariance);
     let part = clamp(d.y / max(d.x, 1e-30), rounds_seven_least, 1.0);
     let places = rounds_seven_places(part);
@@ -103,15 +120,10 @@ fn slope_map_seven(
     let away = sqrt(1.0 - part * part) * d.x * footprint_direction(covariance);
     let s = part * d.x;
     let middle = slope_map_read(mean, s, per_slope, bend, per_deviation, per_octave, table, table_sampler);
-    var sum = (1.0 - 2.0 * dot(weights, vec3f(1.0))) * middle;
-    for (var side = -1.0; side < 2.0; side += 2.0) {
-        let p = side * places;
-        let a = slope_map_read(mean + p.x * away, s, per_slope, bend, per_deviation, per_octave, table, table_sampler);
-        let b = slope_map_read(mean + p.y * away, s, per_slope, bend, per_deviation, per_octave, table, table_sampler);
-        let c = slope_map_read(mean + p.z * away, s, per_slope, bend, per_deviation, per_octave, table, table_sampler);
-        sum += weights.x * a + weights.y * b + weights.z * c;
-    }
-    return sum;
+    let a = slope_map_sides(mean, places.x * away, s, per_slope, bend, per_deviation, per_octave, table, table_sampler);
+    let b = slope_map_sides(mean, places.y * away, s, per_slope, bend, per_deviation, per_octave, table, table_sampler);
+    let c = slope_map_sides(mean, places.z * away, s, per_slope, bend, per_deviation, per_octave, table, table_sampler);
+    return (1.0 - 2.0 * dot(weights, vec3f(1.0))) * middle + weights.x * a + weights.y * b + weights.z * c;
 }
 
 /// Mean of a map over a normal distribution of slopes, by nine round ones on its major axis.
@@ -120,10 +132,8 @@ fn slope_map_seven(
 /// Domain: mean in [-1.5, 1.5], covariance psd(0.2, 0.4, 0.5), per_slope in [0.396875, 0.396875], bend in [0.4, 0.4],
 ///   per_deviation in [24, 24], per_octave in [0.25672624, 0.25672624].
 /// Error: 1e-3 absolute; of the table, for a random map of 2 × 2 cells and axes of ratios up to 3.
-fn slope_map_nine(
-    mean: vec2f, covariance: vec3f, per_slope: f32, bend: f32, per_deviation: f32, per_octave: f32,
-    table: texture_3d<f32>, table_sampler: sampler,
-) -> vec4f {
+fn slope_map_nine(mean: vec2f, covariance: vec3f, per_slope: f32, bend: f32, per_deviation: f32, per_octave: f32,
+    table: texture_3d<f32>, table_sampler: sampler) -> vec4f {
     let d = footprint_deviations(covariance);
     let part = clamp(d.y / max(d.x, 1e-30), rounds_nine_least, 1.0);
     let places = rounds_nine_places(part);
@@ -131,14 +141,10 @@ fn slope_map_nine(
     let away = sqrt(1.0 - part * part) * d.x * footprint_direction(covariance);
     let s = part * d.x;
     let middle = slope_map_read(mean, s, per_slope, bend, per_deviation, per_octave, table, table_sampler);
-    var sum = (1.0 - 2.0 * dot(weights, vec4f(1.0))) * middle;
-    for (var side = -1.0; side < 2.0; side += 2.0) {
-        let p = side * places;
-        let a = slope_map_read(mean + p.x * away, s, per_slope, bend, per_deviation, per_octave, table, table_sampler);
-        let b = slope_map_read(mean + p.y * away, s, per_slope, bend, per_deviation, per_octave, table, table_sampler);
-        let c = slope_map_read(mean + p.z * away, s, per_slope, bend, per_deviation, per_octave, table, table_sampler);
-        let e = slope_map_read(mean + p.w * away, s, per_slope, bend, per_deviation, per_octave, table, table_sampler);
-        sum += weights.x * a + weights.y * b + weights.z * c + weights.w * e;
-    }
-    return sum;
+    let a = slope_map_sides(mean, places.x * away, s, per_slope, bend, per_deviation, per_octave, table, table_sampler);
+    let b = slope_map_sides(mean, places.y * away, s, per_slope, bend, per_deviation, per_octave, table, table_sampler);
+    let c = slope_map_sides(mean, places.z * away, s, per_slope, bend, per_deviation, per_octave, table, table_sampler);
+    let e = slope_map_sides(mean, places.w * away, s, per_slope, bend, per_deviation, per_octave, table, table_sampler);
+    return (1.0 - 2.0 * dot(weights, vec4f(1.0))) * middle + weights.x * a + weights.y * b + weights.z * c
+        + weights.w * e;
 }

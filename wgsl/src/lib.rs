@@ -87,6 +87,7 @@ pub const FILES: &[File] = shelf![
     "filter/rice.wgsl",
     "filter/rounds.wgsl",
     "filter/slope_map.wgsl",
+    "filter/split.wgsl",
     "filter/tails.wgsl",
     "filter/texture.wgsl",
     "pass/moment_pyramid.wgsl",

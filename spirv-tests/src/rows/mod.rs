@@ -47,6 +47,7 @@ mod slope_moments;
 mod slope_nodes;
 mod slopes;
 mod smith;
+mod split;
 mod steepness;
 mod tails;
 mod taps;
@@ -216,6 +217,7 @@ pub fn all() -> Vec<Row> {
         slope_moments::rows(),
         slope_nodes::rows(),
         slope_map::rows(),
+        split::rows(),
         slopes::rows(),
         smith::rows(),
         steepness::rows(),

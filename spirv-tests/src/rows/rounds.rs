@@ -1,9 +1,9 @@
-//! Sums of round normal distributions: those with the least largest error of a step, by exchange.
+//! Sums of round normal distributions: those with the least largest error of a step, by exchange, or with the least sum
+//! of eighth powers.
 
 use std::sync::OnceLock;
 
-use prefilter::reference::footprint::deviations;
-use prefilter::reference::rounds::nearest;
+use prefilter::reference::rounds::{nearest, seven, six};
 
 use super::Row;
 
@@ -23,7 +23,7 @@ fn placed<const N: usize>(mut pairs: [f64; N], factor: f64) -> [f64; N] {
 impl<const N: usize> Nearest<N> {
     /// In steps down, or up where those are negative, from a part for which a sum is known: each node starts from the
     /// one before.
-    fn new(from: f64, step: f64, count: usize, start: [f64; N]) -> Self {
+    fn new(from: f64, step: f64, count: usize, start: [f64; N], nearest: impl Fn(f64, [f64; N]) -> [f64; N]) -> Self {
         let z = |part: f64| (1.0 - part * part).sqrt();
         let mut last = placed(start, 1.0 / z(from));
         let node = |index: usize| {
@@ -41,55 +41,46 @@ impl<const N: usize> Nearest<N> {
     }
 }
 
-/// The minor over the major deviation of both distributions of a pair.
-fn round(x: &[f64]) -> [f64; 2] {
-    [x[5], x[7]].map(|variance| {
-        let [xx, xy, yy] = [[0, 0], [0, 1], [1, 1]].map(|[i, j]| variance * x[i] * x[j] + x[2 + i] * x[2 + j]);
-        let [major, minor] = deviations([xx, xy, yy]);
-        minor / major
-    })
-}
-
-/// The pair from one of its distributions on.
-fn of(x: &[f64], from: usize) -> [f64; 4] {
-    std::array::from_fn(|number| x[4 + (from - 4 + number) % 4])
-}
-
 /// The place of either of a pair about a third on the mean, as a multiple of z a, and its weight.
 pub(super) fn three(part: f64) -> [f64; 2] {
     static NARROW: OnceLock<Nearest<2>> = OnceLock::new();
     static WIDE: OnceLock<Nearest<2>> = OnceLock::new();
     let start = [1.18, 0.219];
     if part <= 0.6 {
-        return NARROW.get_or_init(|| Nearest::new(0.6, 0.004, 80, start)).at(part);
+        return NARROW.get_or_init(|| Nearest::new(0.6, 0.004, 80, start, nearest)).at(part);
     }
     // Beyond, the three are one to 1e-5 of a step.
-    WIDE.get_or_init(|| Nearest::new(0.6, -0.004, 85, start)).at(part)
+    WIDE.get_or_init(|| Nearest::new(0.6, -0.004, 85, start, nearest)).at(part)
 }
 
 pub(super) fn rows() -> Vec<Row> {
     static FIVE: OnceLock<Nearest<4>> = OnceLock::new();
+    static SIX: OnceLock<Nearest<6>> = OnceLock::new();
     static SEVEN: OnceLock<Nearest<6>> = OnceLock::new();
     static NINE: OnceLock<Nearest<8>> = OnceLock::new();
+    let six = |part: f64| {
+        let start = [0.391, 1.205, 2.169, 0.3126, 0.1572, 0.0301];
+        SIX.get_or_init(|| Nearest::new(0.4, 0.01, 30, start, six)).at(part)
+    };
     let seven = |part: f64| {
-        let start = [0.7127, 1.4685, 2.3631, 0.2334, 0.0963, 0.0165];
-        SEVEN.get_or_init(|| Nearest::new(0.4, 0.002, 145, start)).at(part)
+        let start = [0.722, 1.49, 2.408, 0.2348, 0.0946, 0.015];
+        SEVEN.get_or_init(|| Nearest::new(0.4, 0.01, 30, start, seven)).at(part)
     };
     let nine = |part: f64| {
         let start = [0.574, 1.168, 1.816, 2.609, 0.2025, 0.1213, 0.0474, 0.0096];
-        NINE.get_or_init(|| Nearest::new(0.3, 0.002, 107, start)).at(part)
+        NINE.get_or_init(|| Nearest::new(0.3, 0.002, 107, start, nearest)).at(part)
     };
     let third = |pairs: [f64; 6], from: usize| -> [f64; 3] { std::array::from_fn(|number| pairs[from + number]) };
     let half = |pairs: [f64; 8], from: usize| -> [f64; 4] { std::array::from_fn(|number| pairs[from + number]) };
     vec![
         Row::new("rounds_three", |x| three(x[0])),
         Row::new("rounds_five", |x| {
-            FIVE.get_or_init(|| Nearest::new(0.36, 0.002, 110, [0.846, 1.82, 0.249, 0.074])).at(x[0])
+            FIVE.get_or_init(|| Nearest::new(0.36, 0.002, 110, [0.846, 1.82, 0.249, 0.074], nearest)).at(x[0])
         }),
+        Row::new("rounds_six_places", move |x| third(six(x[0]), 0)),
+        Row::new("rounds_six_weights", move |x| third(six(x[0]), 3)),
         Row::new("rounds_seven_places", move |x| third(seven(x[0]), 0)),
         Row::new("rounds_seven_weights", move |x| third(seven(x[0]), 3)),
-        Row::new("rounds_longer_first", |x| if round(x)[0] < round(x)[1] { of(x, 4) } else { of(x, 6) })
-            .only_where(|x| x[5] < x[7] && (round(x)[0] - round(x)[1]).abs() > 1e-3 * round(x)[1]),
         Row::new("rounds_nine_places", move |x| half(nine(x[0]), 0)),
         Row::new("rounds_nine_weights", move |x| half(nine(x[0]), 4)),
     ]

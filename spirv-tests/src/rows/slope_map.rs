@@ -19,14 +19,22 @@ fn map() -> (Bilinear, Table) {
     (map.reference(), module.tables()[0].clone())
 }
 
+/// The functions of so many reads.
+const NAMES: [&str; 6] =
+    ["slope_map_one", "slope_map_three", "slope_map_five", "slope_map_six", "slope_map_seven", "slope_map_nine"];
+
 pub(super) fn rows() -> Vec<Row> {
     let (map, table) = map();
-    let reads =
-        ["slope_map_one", "slope_map_three", "slope_map_five", "slope_map_seven", "slope_map_nine"].map(|name| {
-            let map = map.clone();
-            Row::new(name, move |x| map.mean([x[0], x[1]], [x[2], x[3], x[4]])).table(table.clone(), Address::Clamp)
-        });
+    let reads = NAMES.map(|name| {
+        let map = map.clone();
+        Row::new(name, move |x| map.mean([x[0], x[1]], [x[2], x[3], x[4]])).table(table.clone(), Address::Clamp)
+    });
     let round = map.clone();
     let read = Row::new("slope_map_read", move |x| round.mean([x[0], x[1]], [x[2] * x[2], 0.0, x[2] * x[2]]));
-    reads.into_iter().chain([read.table(table, Address::Clamp)]).collect()
+    let sides = Row::new("slope_map_sides", move |x| {
+        let (variance, two) = (x[4] * x[4], [-1.0, 1.0].map(|side| [x[0] + side * x[2], x[1] + side * x[3]]));
+        let [one, other] = two.map(|mean| map.mean(mean, [variance, 0.0, variance]));
+        [0, 1, 2, 3].map(|channel| one[channel] + other[channel])
+    });
+    reads.into_iter().chain([read, sides].map(|row| row.table(table.clone(), Address::Clamp))).collect()
 }

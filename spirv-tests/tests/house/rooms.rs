@@ -39,6 +39,8 @@ const INSTEAD: &[(&str, &str, &str)] = &[
     ("wgsl/filter/rice.wgsl", "src/reference/rice", "src/reference/steepness"),
     // What round distributions stand for is a setting of the maps that read them.
     ("wgsl/filter/rounds.wgsl", "src/filter/rounds", "src/filter/slope_map"),
+    // Two distributions for visible slopes are a setting of the same maps.
+    ("wgsl/filter/split.wgsl", "src/filter/split", "src/filter/slope_map"),
     // Shorter tails are a tier of heights.
     ("wgsl/filter/tails.wgsl", "src/filter/tails", "src/filter/height/tails"),
     // Noise is a switch of the surface that the heights belong to.

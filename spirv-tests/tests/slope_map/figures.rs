@@ -12,7 +12,7 @@ use spirv_tests::kernel::Function;
 use crate::{single, turned, Fault, Outcome};
 
 /// What stands for the visible slopes as the modules have it: one normal distribution, or two; and for each of those
-/// one, three, five, seven or nine round ones; seven and five for the shorter of two.
+/// one, three, five, seven or nine round ones; seven and six for the shorter of two.
 const CHAIN: &str = "
 struct rounds { mean: vec2f, away: vec2f, deviation: f32, places: vec4f, weights: vec4f }
 struct both { low: rounds, high: rounds }
@@ -33,6 +33,13 @@ fn five(mean: vec2f, covariance: vec3f) -> rounds {
     let arms = rounds_five(part);
     let away = sqrt(1.0 - part * part) * d.x * footprint_direction(covariance);
     return rounds(mean, away, part * d.x, vec4f(arms.xy, vec2f()), vec4f(arms.zw, vec2f()));
+}
+fn six(mean: vec2f, covariance: vec3f) -> rounds {
+    let d = footprint_deviations(covariance);
+    let part = clamp(d.y / max(d.x, 1e-30), rounds_seven_least, 1.0);
+    let away = sqrt(1.0 - part * part) * d.x * footprint_direction(covariance);
+    return rounds(mean, away, part * d.x, vec4f(rounds_six_places(part), 0.0),
+        vec4f(rounds_six_weights(part), 0.0));
 }
 fn seven(mean: vec2f, covariance: vec3f) -> rounds {
     let d = footprint_deviations(covariance);
@@ -60,10 +67,10 @@ fn single(view: vec3f, mean_slope: vec2f, covariance: vec3f) -> both {
 fn pair(view: vec3f, mean_slope: vec2f, covariance: vec3f) -> both {
     let factor = slopes_factor(view, covariance);
     let parameter = slopes_parameter(view, mean_slope, factor);
-    if parameter > slopes_single {
+    if parameter > split_single {
         return single(view, mean_slope, covariance);
     }
-    let p = rounds_longer_first(factor, slopes_pair(parameter));
+    let p = split_longer_first(factor, split_pair(parameter));
     return both(TAPS(mean_slope + p.x * factor.xy, slopes_covariance(factor, p.y)),
         FEWER(mean_slope + p.z * factor.xy, slopes_covariance(factor, p.w)));
 }";
@@ -100,7 +107,7 @@ fn views(aspect: f64, most: f64) -> Vec<Visible> {
     for turn in turns {
         let covariance = turned(0.4, aspect, turn);
         for mean in [[0.0, 0.0], [-0.6, 0.1], [-0.3, 0.3], [0.2, 0.2]].map(single) {
-            for parameter in [1e-3, 0.25, 0.7, 1.4, 2.2, 2.9, 3.01] {
+            for parameter in [1e-3, 0.25, 0.7, 1.4, 2.5, 3.3, 4.01] {
                 let z = mean[0] + parameter * covariance[0].sqrt();
                 let view = single([1.0 / f64::hypot(1.0, z), 0.0, z / f64::hypot(1.0, z)]);
                 views.push(Visible { view, covariance, mean });
@@ -131,7 +138,7 @@ fn quarter(visible: &Visible, turn: f64) -> f64 {
 
 /// The largest errors of steps, of discs about 0 and of quarters; a tenth of the views for the latter two.
 fn errors(device: &Device, tier: &str, taps: &str, views: &[Visible]) -> Result<[f64; 3], Fault> {
-    let fewer = if taps == "seven" { "five" } else { taps };
+    let fewer = if taps == "seven" { "six" } else { taps };
     let points: Vec<Vec<f64>> =
         views.iter().map(|visible| [&visible.view[..], &visible.mean, &visible.covariance].concat()).collect();
     let got =
@@ -199,9 +206,9 @@ const FIGURES: [(&str, [[f64; 3]; 5]); 3] = [
         [
             [9.9e-2, 0.177, 0.288],
             [1.34e-2, 6.15e-2, 0.181],
-            [1.18e-2, 2.35e-2, 6.5e-2],
-            [1.18e-2, 1.21e-2, 3.31e-2],
-            [1.18e-2, 1.18e-2, 1.43e-2],
+            [1.3e-2, 2.35e-2, 6.5e-2],
+            [1.3e-2, 1.3e-2, 2.95e-2],
+            [1.3e-2, 1.3e-2, 1.4e-2],
         ],
     ),
 ];
@@ -232,7 +239,7 @@ fn flat_meshes_keep_the_figures_of_their_reads() -> Outcome {
         ("one", [0.0, 0.102, 0.2]),
         ("three", [0.0, 1.7e-2, 7.7e-2]),
         ("five", [0.0, 1.6e-3, 2.6e-2]),
-        ("seven", [0.0, 4.2e-4, 6.6e-3]),
+        ("seven", [0.0, 2.3e-4, 6.1e-3]),
         ("nine", [0.0, 6.2e-5, 1.9e-3]),
     ] {
         for (aspect, figure) in [1.0, 2.0, 4.0].into_iter().zip(figures) {
