@@ -7,8 +7,13 @@ use plotters::coord::Shift;
 use plotters::prelude::*;
 use std::ops::Range;
 
-/// Width and height of a plot in pixels.
-const SIZE: (u32, u32) = (760, 480);
+/// Height of a plot in pixels, and the width of what is left of its legend.
+const HEIGHT: u32 = 480;
+const LEFT: u32 = 510;
+
+/// What a character of a legend is wide at most, and what stands beside it.
+const CHARACTER: u32 = 8;
+const BESIDE: u32 = 36;
 
 /// Colors of series, told apart by people who see no red or no green: Okabe and Ito 2008, "Color Universal Design".
 const COLORS: [RGBColor; 7] = [
@@ -30,15 +35,21 @@ type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 /// Those of the drawing.
 pub fn svg(plot: &Plot, measured: &str) -> Result<String, Error> {
     let mut text = String::new();
-    let area = SVGBackend::with_string(&mut text, SIZE).into_drawing_area();
+    let area = SVGBackend::with_string(&mut text, (LEFT + legend(plot), HEIGHT)).into_drawing_area();
     drawn(&area, plot, measured).map_err(|error| Error::Plot(error.to_string()))?;
     drop(area);
     Ok(text)
 }
 
+/// The width of a legend: of its longest label.
+fn legend(plot: &Plot) -> u32 {
+    let longest = plot.series.iter().map(|series| series.label.chars().count()).max().unwrap_or(0);
+    BESIDE + CHARACTER * longest as u32
+}
+
 fn drawn(area: &Area<'_>, plot: &Plot, measured: &str) -> Result<(), Box<dyn std::error::Error>> {
     area.fill(&WHITE)?;
-    let foot = SIZE.1 as i32 - 14;
+    let foot = HEIGHT as i32 - 14;
     area.draw(&Text::new(measured.to_owned(), (10, foot), ("sans-serif", 11).into_font().color(&COLORS[6])))?;
     let kept: Vec<Vec<(f64, f64)>> = plot.series.iter().map(|series| kept(plot, &series.points)).collect();
     let all = || kept.iter().flatten().copied();
@@ -86,7 +97,7 @@ where
     Y::CoordDescType: ValueFormatter<f64>,
 {
     let mut builder = ChartBuilder::on(area);
-    builder.margin(10).margin_bottom(24).margin_right(250).x_label_area_size(42).y_label_area_size(64);
+    builder.margin(10).margin_bottom(24).margin_right(legend(plot)).x_label_area_size(42).y_label_area_size(64);
     let mut chart = builder.build_cartesian_2d(x, y)?;
     let label = |value: &f64| {
         if *value == 0.0 || (1e-3..1e4).contains(&value.abs()) {
@@ -111,7 +122,7 @@ where
         if series.joined {
             chart.draw_series(LineSeries::new(points.iter().copied(), color.stroke_width(2)))?;
         }
-        let (left, top) = (SIZE.0 as i32 - 236, 24 + 20 * number as i32);
+        let (left, top) = (LEFT as i32 + 14, 24 + 20 * number as i32);
         area.draw(&Text::new(series.label.clone(), (left + 12, top), ("sans-serif", 13)))?;
         // Colors begin anew with another mark.
         if (number / COLORS.len()).is_multiple_of(2) {

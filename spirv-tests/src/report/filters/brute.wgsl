@@ -12,7 +12,7 @@ fn brute_bits(seed: u32) -> u32 {
 
 /// A random point of stratum `index` of the unit square, which has `side` × `side` strata.
 fn brute_point(index: u32, side: u32, seed: u32) -> vec2f {
-    let bits = brute_bits(seed * 2048u + index);
+    let bits = brute_bits(seed * 65536u + index);
     let jitter = (vec2f(f32(bits & 0xffffu), f32(bits >> 16u)) + 0.5) / 65536.0;
     return (vec2f(f32(index % side), f32(index / side)) + jitter) / f32(side);
 }
@@ -21,7 +21,7 @@ fn brute_point(index: u32, side: u32, seed: u32) -> vec2f {
 /// stride.
 fn brute_number(index: u32, count: u32, stride: u32, seed: u32) -> f32 {
     let stratum = (index * stride + brute_bits(seed + stride)) % count;
-    let bits = brute_bits(seed * 2048u + index + 1024u * stride);
+    let bits = brute_bits(seed * 65536u + index + 8192u * stride);
     return (f32(stratum) + (f32(bits >> 16u) + 0.5) / 65536.0) / f32(count);
 }
 
