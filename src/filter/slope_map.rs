@@ -1,7 +1,7 @@
 //! Cs of a map of the whole slope, such as a wheel of aspects: reads from a table of the map's means over round normal
 //! distributions of slopes.
 //!
-//! The visible slopes are represented by one or two normal distributions, as in [`slope`](super::slope), and each of
+//! The visible slopes are represented by one or two normal distributions, as in [`slope`], and each of
 //! those by a few round ones along its major axis.
 
 use super::shared::{statements, Shared};

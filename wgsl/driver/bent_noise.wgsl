@@ -21,8 +21,9 @@ struct bent_noise {
 /// Domain: position in [-1000, 1000], period integer in [0, 300], seed integer in [0, 4294967295].
 /// Error: 1.5e-5 absolute; f32 rounding of second derivatives up to 20.
 fn bent_noise_perlin(position: vec2f, period: vec2f, seed: u32) -> bent_noise {
-    let t = fract(clamp(position, vec2f(-1e9), vec2f(1e9)));
-    let corners = lattice_corners(position, period);
+    let p = clamp(position, vec2f(-1e9), vec2f(1e9));
+    let t = fract(p);
+    let corners = lattice_corners(p, period);
     let a = perlin_slope(corners.xy, seed);
     let c = perlin_slope(corners.xw, seed);
     // From the left points to the right ones.
@@ -71,8 +72,9 @@ fn bent_noise_perlin_filter(deviations: vec2f) -> bend_weights {
 /// Domain: position in [-1000, 1000], period integer in [0, 300], seed integer in [0, 4294967295].
 /// Error: 1.5e-5 absolute; f32 rounding of second derivatives up to 12.
 fn bent_noise_value(position: vec2f, period: vec2f, seed: u32) -> bent_noise {
-    let t = fract(clamp(position, vec2f(-1e9), vec2f(1e9)));
-    let corners = lattice_corners(position, period);
+    let p = clamp(position, vec2f(-1e9), vec2f(1e9));
+    let t = fract(p);
+    let corners = lattice_corners(p, period);
     let a = value_point(corners.xy, seed);
     let c = value_point(corners.xw, seed);
     let more = vec2f(value_point(corners.zy, seed) - a, value_point(corners.zw, seed) - c);

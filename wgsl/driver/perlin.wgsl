@@ -27,8 +27,9 @@ fn perlin_slope(place: vec2f, seed: u32) -> vec2f {
 /// Domain: position in [-1000, 1000], period integer in [0, 300], seed integer in [0, 4294967295].
 /// Error: 3e-6 absolute; f32 rounding of the gradient.
 fn perlin_noise(position: vec2f, period: vec2f, seed: u32) -> vec3f {
-    let t = fract(clamp(position, vec2f(-1e9), vec2f(1e9)));
-    let corners = lattice_corners(position, period);
+    let p = clamp(position, vec2f(-1e9), vec2f(1e9));
+    let t = fract(p);
+    let corners = lattice_corners(p, period);
     let a = perlin_slope(corners.xy, seed);
     let b = perlin_slope(corners.zy, seed);
     let c = perlin_slope(corners.xw, seed);

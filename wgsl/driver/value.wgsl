@@ -21,8 +21,9 @@ fn value_point(place: vec2f, seed: u32) -> f32 {
 /// Domain: position in [-1000, 1000], period integer in [0, 300], seed integer in [0, 4294967295].
 /// Error: 3e-6 absolute; f32 rounding of the gradient.
 fn value_noise(position: vec2f, period: vec2f, seed: u32) -> vec3f {
-    let t = fract(clamp(position, vec2f(-1e9), vec2f(1e9)));
-    let corners = lattice_corners(position, period);
+    let p = clamp(position, vec2f(-1e9), vec2f(1e9));
+    let t = fract(p);
+    let corners = lattice_corners(p, period);
     let a = value_point(corners.xy, seed);
     let b = value_point(corners.zy, seed);
     let c = value_point(corners.xw, seed);

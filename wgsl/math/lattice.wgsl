@@ -2,7 +2,8 @@
 
 /// The lattice points below and above a position along both axes: (x, y, x + 1, y + 1), wrapped to a period.
 ///
-/// `period` is in whole lattice points; 0 wraps nothing.
+/// `period` is in whole lattice points; 0 wraps nothing. Blend by `fract` of the very same clamped position: a device
+/// may flush a subnormal one in either.
 ///
 /// Source: the definition, floor and remainder.
 /// Domain: position in [-1000, 1000], period integer in [0, 300].

@@ -52,27 +52,33 @@ fn report(arguments: &Arguments) -> Result<(), Error> {
     let progress = bar(parts.iter().map(|part| part.steps(extent)).sum(), "");
     let (cache, done) = (Cache::new(&arguments.truths), |steps| progress.inc(steps));
     let bench = Bench { device: &device, timed: &timed, extent, cache: &cache, done: &done };
-    let mut sections = Vec::new();
+    let mut document = Document { title: "prefilter: speed against error".into(), facts: vec![], sections: vec![] };
     for part in parts {
         progress.set_message(part.name());
         let begun = Instant::now();
-        sections.push(part.section(&bench)?);
+        document.sections.push(part.section(&bench)?);
+        document.facts = facts(&device, extent, start);
+        // What is there is kept, whatever comes of the next part.
+        page::write(&arguments.out, &document)?;
         said(&progress, part.name(), begun);
     }
     progress.finish_and_clear();
-    let facts = vec![
-        ("device", device.label().to_owned()),
-        ("date", jiff::Zoned::now().strftime("%Y-%m-%d %H:%M %Z").to_string()),
-        ("version", format!("prefilter {}", env!("CARGO_PKG_VERSION"))),
-        ("extent", extent.pick("quick", "full").to_owned()),
-        ("seconds", format!("{:.0}", start.elapsed().as_secs_f64())),
-    ];
-    let document = Document { title: "prefilter: speed against error".into(), facts, sections };
     println!("written: {}", page::write(&arguments.out, &document)?.display());
     if arguments.publish {
         println!("written: {}", listed(&publish::publish(Path::new("."), device.label(), &document)?));
     }
     Ok(())
+}
+
+/// What the report is of.
+fn facts(device: &Device, extent: Extent, start: Instant) -> Vec<(&'static str, String)> {
+    vec![
+        ("device", device.label().to_owned()),
+        ("date", jiff::Zoned::now().strftime("%Y-%m-%d %H:%M %Z").to_string()),
+        ("version", format!("prefilter {}", env!("CARGO_PKG_VERSION"))),
+        ("extent", extent.pick("quick", "full").to_owned()),
+        ("seconds", format!("{:.0}", start.elapsed().as_secs_f64())),
+    ]
 }
 
 /// The device as it is, and one for timings.
