@@ -3,6 +3,7 @@
 use prefilter::gpu::Device;
 use spirv_tests::report::accuracy::filter::Filter;
 use spirv_tests::report::accuracy::tally::Tally;
+use spirv_tests::report::accuracy::trial::trial;
 use spirv_tests::report::accuracy::trials;
 use spirv_tests::report::cache::Cache;
 
@@ -29,5 +30,14 @@ fn what_a_budget_chooses_keeps_it() -> Outcome {
     // Of those for which anything that filters is cheaper and keeps 0.3.
     let (cheaper, counted) = whole.cheaper.ok_or("nothing is cheaper than anything")?;
     assert!(counted > 100 && 10 * cheaper >= 9 * counted, "{cheaper} of {counted} are cheaper than the finest tier");
+    Ok(())
+}
+
+/// Scene 2310 of 10 000 was the one whose error, 0.162, exceeded the bound, 0.150: of a table with an edge inside of a
+/// cell.
+#[test]
+fn an_edge_inside_of_a_cell_keeps_its_bound() -> Outcome {
+    let trial = trial(&Device::new()?, &Cache::none(), 2310, 0.5)?;
+    assert!(trial.measured <= trial.bound, "{trial:?}");
     Ok(())
 }

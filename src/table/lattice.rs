@@ -9,6 +9,9 @@ pub(super) const FLAT: Axis = Axis { low: 0.0, high: 1.0, count: 1, spacing: Spa
 /// Parts of the judged columns, so that those beyond the axis are judged too.
 const EVEN: u32 = 64;
 
+/// Deviations of the narrowest line beside a hard edge where the edge is over.
+const BESIDE: f64 = 5.0;
+
 /// Lines next to each other of which the worst place stands for all.
 const GROUP: usize = 8;
 
@@ -58,8 +61,8 @@ impl Lattice {
     }
 
     /// The largest difference between a filtered read and the color: on the first and the last row, between rows and on
-    /// the least, over the centers of all cells of columns, where the color `bends`, and even places. `near`, of which
-    /// each line has its own, finds the worst place of some next to each other, on which `truth` has the last word.
+    /// the least, over the centers of all cells of columns, where the color `bends` and beside, and even places. Of each
+    /// line, `near` finds the worst place of some next to each other, on which `truth` has the last word.
     pub(super) fn error<N: Fn(f64) -> [f64; 4]>(
         self,
         texels: &[f32],
@@ -71,8 +74,9 @@ impl Lattice {
         let (Self([columns, deviations, _]), Judged { low, high, least, third }) = (self, judged);
         let centers = (0..columns.count - 1).map(|column| columns.value(column as f64 + 0.5));
         let even = (0..=EVEN).map(|index| low + (high - low) * f64::from(index) / f64::from(EVEN));
-        let places: Vec<f64> =
-            centers.chain(bends.iter().copied()).chain(even).filter(|at| (low..=high).contains(at)).collect();
+        // At a hard edge the color is half way between those of its sides, one of which is farther from what is read.
+        let bends = bends.iter().flat_map(|bend| [-BESIDE, 0.0, BESIDE].map(|beside| bend + beside * least));
+        let places: Vec<f64> = centers.chain(bends).chain(even).filter(|at| (low..=high).contains(at)).collect();
         let between = (0..deviations.count - 1).map(|row| deviations.value(row as f64 + 0.5));
         let ends = [least, deviations.value(0.0), deviations.high];
         let lines: Vec<f64> = between.chain(ends).filter(|&line| line >= least).collect();
