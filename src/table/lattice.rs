@@ -60,9 +60,10 @@ impl Lattice {
         }
     }
 
-    /// The largest difference between a filtered read and the color: on the first and the last row, between rows and on
-    /// the least, over the centers of all cells of columns, where the color `bends` and beside, and even places. Of each
-    /// line, `near` finds the worst place of some next to each other, on which `truth` has the last word.
+    /// The largest difference between a filtered read and the color: on the first and the last row, between rows
+    /// and on the least, over the centers of all cells of columns, where the color `bends` and beside, and even
+    /// places. Of each line, `near` finds the worst place of some next to each other, on which `truth` has the last
+    /// word.
     pub(super) fn error<N: Fn(f64) -> [f64; 4]>(
         self,
         texels: &[f32],
