@@ -43,6 +43,13 @@ impl Lattice {
         (0..slices.count).flat_map(slice).collect()
     }
 
+    /// Texels slice by slice, of those of each row in all slices.
+    pub(super) fn sliced(self, lines: &[f32]) -> Vec<f32> {
+        let [width, height, depth] = self.0.map(|axis| axis.count);
+        let starts = |slice: usize| (0..height).map(move |row| 4 * width * (row * depth + slice));
+        (0..depth).flat_map(starts).flat_map(|at| lines[at..at + 4 * width].iter().copied()).collect()
+    }
+
     /// The table without texels, which errs by at least so much.
     pub(super) fn unbaked(self, name: &str, error: f32) -> Table {
         self.table(name, Vec::new(), error)

@@ -197,11 +197,8 @@ pub fn table(nodes: Nodes<'_>, means: Axis, deviations: Axis, name: &str) -> Tab
         let parts: [fn(&Node) -> f64; SLICES] = [|n| n.scale, |n| n.weight, |n| n.rate, |n| n.spread];
         parts.iter().flat_map(|part| texels.iter().flatten().map(|node| half_rounded(part(node)))).collect()
     };
-    let lines = rows(deviations.count, line);
-    let stride = 4 * means.count;
-    let slice = |slice: usize| (0..deviations.count).map(move |row| (row * SLICES + slice) * stride);
-    let texels: Vec<f32> = (0..SLICES).flat_map(slice).flat_map(|at| lines[at..at + stride].iter().copied()).collect();
     let lattice = Lattice([means, deviations, Axis { low: 0.0, high: 3.0, count: SLICES, spacing: Spacing::Linear }]);
+    let texels = lattice.sliced(&rows(deviations.count, line));
     let error = error(nodes, lattice, &texels);
     lattice.table(name, texels, error)
 }

@@ -68,12 +68,9 @@ pub(crate) fn table(nodes: Nodes<'_>, means: Axis, deviations: Axis, name: &str)
         let texels = (0..slices).flat_map(|slice| found.iter().flat_map(move |found| texel(found, slice)));
         texels.map(half_rounded).collect()
     };
-    let lines = rows(deviations.count, line);
-    let stride = 4 * means.count;
-    let slice = |slice: usize| (0..deviations.count).map(move |row| (row * slices + slice) * stride);
-    let texels: Vec<f32> = (0..slices).flat_map(slice).flat_map(|at| lines[at..at + stride].iter().copied()).collect();
     let third = Axis { low: 0.0, high: 1.0, count: slices, spacing: Spacing::Linear };
     let lattice = Lattice([means, deviations, third]);
+    let texels = lattice.sliced(&rows(deviations.count, line));
     let error = error(nodes, lattice, &texels);
     lattice.table(name, texels, error)
 }

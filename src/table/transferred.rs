@@ -52,11 +52,7 @@ impl Plan<'_> {
             let slices = (0..depth).flat_map(|slice| columns.iter().map(move |column| column[slice]));
             slices.flat_map(|color| color.map(|channel| channel as f32)).collect()
         };
-        let lines = rows(height, line);
-        let stride = 4 * width;
-        let of = |slice: usize| (0..height).map(move |row| (row * depth + slice) * stride);
-        let mut texels: Vec<f32> =
-            (0..depth).flat_map(of).flat_map(|at| lines[at..at + stride].iter().copied()).collect();
+        let mut texels = lattice.sliced(&rows(height, line));
         self.balance(&mut texels, lattice);
         texels.iter_mut().for_each(|texel| *texel = half_rounded(f64::from(*texel)));
         let error = self.error(lattice, &layers, &bends, &texels, floor);

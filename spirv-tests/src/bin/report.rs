@@ -53,17 +53,18 @@ fn report(arguments: &Arguments) -> Result<(), Error> {
     let (cache, done) = (Cache::new(&arguments.truths), |steps| progress.inc(steps));
     let bench = Bench { device: &device, timed: &timed, extent, cache: &cache, done: &done };
     let mut document = Document { title: "prefilter: speed against error".into(), facts: vec![], sections: vec![] };
+    let mut written = PathBuf::new();
     for part in parts {
         progress.set_message(part.name());
         let begun = Instant::now();
         document.sections.push(part.section(&bench)?);
         document.facts = facts(&device, extent, start);
         // What is there is kept, whatever comes of the next part.
-        page::write(&arguments.out, &document)?;
+        written = page::write(&arguments.out, &document)?;
         said(&progress, part.name(), begun);
     }
     progress.finish_and_clear();
-    println!("written: {}", page::write(&arguments.out, &document)?.display());
+    println!("written: {}", written.display());
     if arguments.publish {
         println!("written: {}", listed(&publish::publish(Path::new("."), device.label(), &document)?));
     }
