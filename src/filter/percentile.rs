@@ -8,8 +8,8 @@
 
 use std::f64::consts::LN_2;
 
-use super::height::surface::{lambda, step_error};
-use super::height::{variation, HeightTier, Microsurface};
+use super::height::surface::{lambda, share_error};
+use super::height::{variation, Microsurface};
 use super::knots;
 use super::texture::{color, number, returned, swizzle, Filter};
 use crate::accuracy::{promise, Bound};
@@ -107,7 +107,7 @@ fn ends(ramp: &Ramp) -> (f64, f64) {
     (ramp.position.into(), f64::from(ramp.position) + f64::from(ramp.width))
 }
 
-/// The step error times the total variation, what the terms may be off by, and the rounding of their sum.
+/// What Λ moves shares by, times the total variation, what the terms may be off by, and the rounding of their sum.
 fn bound(map: &ColorMap, pieces: &Pieces, surface: Microsurface) -> f32 {
     let (kink, step) = (promise("percentile_kink"), promise("percentile_step"));
     let bound = |channel: usize| {
@@ -132,7 +132,7 @@ fn bound(map: &ColorMap, pieces: &Pieces, surface: Microsurface) -> f32 {
         error
     };
     let own = (0..4).map(bound).fold(0.0, f64::max);
-    (variation(map) * step_error(HeightTier::Exact, surface, 0.0) + own) as f32
+    (variation(map) * share_error(surface) + own) as f32
 }
 
 fn dynamic(map: &ColorMap, surface: Microsurface) -> Filter {
@@ -146,6 +146,6 @@ fn dynamic(map: &ColorMap, surface: Microsurface) -> Filter {
     });
     let body = format!("    return percentile_knots({}, knots){};\n", lambda(surface), swizzle(map));
     let own = knots::bound(map, promise("percentile_step"), |low, high| ramp_error(low, high - low));
-    let bound = variation(map) * step_error(HeightTier::Exact, surface, 0.0) + own;
+    let bound = variation(map) * share_error(surface) + own;
     Filter { body, tables: vec![table], bound: Bound::Guaranteed(bound as f32), trips: map.knots().len() }
 }

@@ -111,9 +111,31 @@ const UNMOVED: f64 = 3.55e-3;
 /// The smallest ω.z − s̄·ω.xy that bounds over tilted surfaces hold from.
 pub(crate) const RISE: f64 = 0.01;
 
+/// The step error of shares of the surface, which hang on nothing but the directions' Λ.
+pub(crate) fn share_error(surface: Microsurface) -> f64 {
+    tier::HIDING + tilted(surface) + correlated(surface)
+}
+
+/// What a mean slope adds to a step error.
+fn tilted(surface: Microsurface) -> f64 {
+    if surface.mean_slope {
+        TILTED
+    } else {
+        0.0
+    }
+}
+
+/// What the correlation of view and light adds.
+fn correlated(surface: Microsurface) -> f64 {
+    if surface.hotspot && surface.shadowing {
+        HOTSPOT
+    } else {
+        0.0
+    }
+}
+
 /// The step error of a tier over a surface, of whose heights each mean rounds by as much as `rounded`, a step error.
 pub(crate) fn step_error(tier: HeightTier, surface: Microsurface, rounded: f64) -> f64 {
-    let tilted = if surface.mean_slope { TILTED } else { 0.0 };
     // Of what stands for the heights themselves noise enlarges no step error: the difference of the cumulative
     // functions of both sums, ∫ (F − G)(h − r) N(r) dr, is a mean of the difference without noise. One more mean is
     // added, which rounds.
@@ -124,8 +146,7 @@ pub(crate) fn step_error(tier: HeightTier, surface: Microsurface, rounded: f64) 
         (true, HeightTier::ClosedForm) => MOVED + rounded,
         (true, _) => rounded,
     };
-    let hotspot = if surface.hotspot && surface.shadowing { HOTSPOT } else { 0.0 };
-    tier::step_error(tier) + rounded + tilted + hotspot + perturbed
+    tier::step_error(tier) + rounded + tilted(surface) + correlated(surface) + perturbed
 }
 
 /// What no bound of the heights covers, and how much that was measured to be.
