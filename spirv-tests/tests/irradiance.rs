@@ -134,8 +134,8 @@ fn irradiance_keeps_the_figures_of_its_tiers() -> Outcome {
     for (tier, near, far) in [
         (IrradianceTier::Normal, 1.8, 2.8),
         (IrradianceTier::Points, 1.1e-2, 0.14),
-        (IrradianceTier::ThreeGaussians, 1e-2, 9.1e-3),
-        (IrradianceTier::FourGaussians, 2e-3, 1.1e-3),
+        (IrradianceTier::ThreeGaussians, 6.5e-3, 9.1e-3),
+        (IrradianceTier::FourGaussians, 7e-4, 1.1e-3),
     ] {
         for colors in [Colors::Constant, Colors::Dynamic] {
             let found = errors(&device, tier, colors, &halls)?;

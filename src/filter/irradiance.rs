@@ -8,7 +8,7 @@
 
 use super::knots;
 use super::texture::{number, Filter};
-use crate::accuracy::{promise, Bound, Ranges};
+use crate::accuracy::{Bound, Ranges};
 use crate::table::Table;
 use crate::transfer::color_map::Colors;
 use crate::transfer::irradiance::Irradiance;
@@ -26,9 +26,9 @@ pub enum IrradianceTier {
     Normal,
     /// Five slopes: 1.1e-2 for slope deviations up to 0.3.
     Points,
-    /// Three Gaussians: 1e-2.
+    /// Three Gaussians: 9.1e-3.
     ThreeGaussians,
-    /// Four Gaussians: 2e-3.
+    /// Four Gaussians: 1.1e-3.
     FourGaussians,
 }
 
@@ -85,9 +85,7 @@ pub(crate) fn irradiance(light: &Irradiance, colors: Colors, tier: IrradianceTie
             vec![environment(light)]
         }
     };
-    // Without a function no mean is beyond 1 on either side.
-    let mean = tier.function().map_or(2.0, promise);
-    let bound = Bound::Guaranteed((mean * most(light) + rounding(light)) as f32);
+    let bound = Bound::Guaranteed((tier.misses().most(light) + rounding(light)) as f32);
     Filter { body, tables, bound, trips: 1 }
 }
 
@@ -97,24 +95,48 @@ fn rounding(light: &Irradiance) -> f64 {
     10.0 * ROUNDING * [0, 1, 2].map(sum).into_iter().fold(0.0, f64::max)
 }
 
-/// How many times the error of a mean that of irradiance may be, over all frames.
-///
-/// Of the components of n irradiance has a product with a vector, which a frame only turns: the sum of its components
-/// is at most √3 times its length. Of n nᵀ it has the product with a symmetric matrix M, of which the trace does not
-/// count, as that of an error of n nᵀ is 0: M without it, turned, has the norm F = |M|. The error of zz being minus
-/// those of xx and yy, the product with an error is at most its largest part times |N.xx − N.zz| + |N.yy − N.zz| +
-/// 2 |N.xy| + 2 |N.xz| + 2 |N.yz|; the first two are at most √6 times the norm of the diagonal, the others √6 times
-/// that of the rest, together √12 F.
-fn most(light: &Irradiance) -> f64 {
-    let of = |channel: usize| {
-        let [_, x, y, z, xx, xy, yy, xz, yz] = light.polynomial().map(|color| f64::from(color[channel]));
-        let trace = (xx + yy) / 3.0;
-        let squares = [xx - trace, yy - trace, -trace].map(|part| part * part).iter().sum::<f64>();
-        let length = (x * x + y * y + z * z).sqrt();
-        let norm = (squares + 0.5 * (xy * xy + xz * xz + yz * yz)).sqrt();
-        3f64.sqrt() * length + 12f64.sqrt() * norm
-    };
-    [0, 1, 2].map(of).into_iter().fold(0.0, f64::max)
+/// The largest errors of the means of a tier, of which none depends on the frame.
+struct Misses {
+    /// The length of that of E[n].
+    first: f64,
+    /// The norm of that of E[n nᵀ], the root of the sum of its squares, without the part that its trace is of.
+    square: f64,
+    /// Its trace: sums of Gaussians do not add up to the 1 that squares of a unit vector do.
+    trace: f64,
+}
+
+impl IrradianceTier {
+    /// A tenth above the worst of all that [`covered`] names, as searches found it. A short one on the device is
+    /// `means_keep_the_figures_of_irradiance` in `spirv-tests/tests/slopes/normals.rs`; it fails where the figures are
+    /// exceeded, and where they are more than 1.3 times what it finds.
+    fn misses(self) -> Misses {
+        match self {
+            // No two unit vectors are farther apart, nor are their squares.
+            Self::Normal => Misses { first: 2.0, square: std::f64::consts::SQRT_2, trace: 0.0 },
+            Self::Points => Misses { first: 3e-3, square: 1.03e-2, trace: 1e-6 },
+            Self::ThreeGaussians => Misses { first: 4.2e-3, square: 5.3e-3, trace: 9e-3 },
+            Self::FourGaussians => Misses { first: 7.2e-4, square: 7e-4, trace: 1.15e-3 },
+        }
+    }
+}
+
+impl Misses {
+    /// The largest error of irradiance, over all frames.
+    ///
+    /// Of the components of n irradiance has a product with a vector, of those of n nᵀ one with a symmetric matrix M:
+    /// products with an error are at most those of lengths and norms, which a frame leaves. M and the error are each
+    /// their trace's part, trace/3 times the identity, and a rest whose product with the other's part is 0.
+    fn most(&self, light: &Irradiance) -> f64 {
+        let of = |channel: usize| {
+            let [_, x, y, z, xx, xy, yy, xz, yz] = light.polynomial().map(|color| f64::from(color[channel]));
+            let part = (xx + yy) / 3.0;
+            let squares = [xx - part, yy - part, -part].map(|rest| rest * rest).iter().sum::<f64>();
+            let length = (x * x + y * y + z * z).sqrt();
+            let norm = (squares + 0.5 * (xy * xy + xz * xz + yz * yz)).sqrt();
+            self.first * length + self.square * norm + self.trace * part.abs()
+        };
+        [0, 1, 2].map(of).into_iter().fold(0.0, f64::max)
+    }
 }
 
 /// The polynomial's colors as one row of texels.
@@ -163,7 +185,7 @@ pub(crate) fn covered(tier: IrradianceTier) -> String {
     };
     format!(
         "slope deviations to {deviations} along any axis, correlations to 0.9, mean slopes to 0.3 on each axis, views \
-         from 5 degrees above the mean surface"
+         from 5 degrees above the plane and the mean surface"
     )
 }
 

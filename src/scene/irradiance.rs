@@ -19,9 +19,10 @@ impl Scene {
     /// `NAME_lambert(mean_slope, slope_covariance, view, light)`, the mean of max(n · l, 0). With
     /// [`Colors::Dynamic`](crate::Colors::Dynamic) the environment is a texture of nine texels.
     ///
-    /// Bounds are for views from 5 degrees above the mean surface, mean slopes to 0.3 on each axis and slope deviations
-    /// up to 1 along any axis (of [`IrradianceTier::Points`] 0.3) with correlations up to 0.9; that of Lambert's cosine
-    /// is 0.03 besides. Of flatter views, or where slopes vary by more along a diagonal, they do not hold.
+    /// Bounds are for views from 5 degrees above the plane and the mean surface, mean slopes to 0.3 on each axis and
+    /// slope deviations up to 1 along any axis (of [`IrradianceTier::Points`] 0.3) with correlations up to 0.9; that of
+    /// Lambert's cosine is 0.03 besides. Of flatter views, or where slopes vary by more along a diagonal, they do not
+    /// hold.
     /// [`Self::ranges`], of components of the mean slope and of slope deviations, are within these: where deviations
     /// are up to 0.3, an accuracy may choose the points, which cost a third.
     ///

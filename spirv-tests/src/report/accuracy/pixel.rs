@@ -3,7 +3,7 @@
 
 use std::f64::consts::TAU;
 
-use prefilter::reference::footprint::variance_along;
+use prefilter::reference::footprint::{deviations, variance_along};
 use prefilter::reference::slopes::Visible;
 use prefilter::{ColorMap, Ranges};
 
@@ -207,15 +207,23 @@ pub fn slopes(
     pixels
 }
 
-/// Pixels of normals: slope deviations up to a largest one, views from 5 degrees above the mean plane.
+/// Pixels of normals: slope deviations up to a largest one along any axis, views from 5 degrees above the plane and the
+/// mean surface, and mean slopes to 0.3 on each axis.
 pub fn normals(random: &mut Random, most: f64, count: usize) -> Vec<Pixel> {
-    let pixel = |_| {
+    let mut pixels = Vec::new();
+    while pixels.len() < count {
         let mut pixel = Pixel::new(random);
-        let deviations = [(); 2].map(|()| deviation(random, 0.05, most));
-        let covariance = correlated(random, deviations);
-        let mean = single([(); 2].map(|()| 0.25 * (2.0 * random.unit() - 1.0)));
+        let sizes = [(); 2].map(|()| deviation(random, 0.05, most));
+        let covariance = correlated(random, sizes);
+        // What deviates by more along an axis aslant is drawn together to that.
+        let part = (0.999_999 * most / deviations(covariance)[0]).min(1.0);
+        let covariance = single(covariance.map(|value| part * part * value));
+        let mean = single([(); 2].map(|()| 0.3 * (2.0 * random.unit() - 1.0)));
         pixel.visible = Visible { view: direction(random, 0.0872), covariance, mean };
-        pixel
-    };
-    (0..count).map(pixel).collect()
+        let above = pixel.visible.rise() / (1.0 + mean[0] * mean[0] + mean[1] * mean[1]).sqrt();
+        if above >= 0.0872 {
+            pixels.push(pixel);
+        }
+    }
+    pixels
 }
