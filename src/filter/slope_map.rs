@@ -35,8 +35,9 @@ pub enum SlopeTaps {
     Three,
     /// Five, up to 6.2 times.
     Five,
-    /// Seven, up to 8.3 times; of two normal distributions for the longer one, and six for the other. As close as nine
-    /// each where slopes vary up to twice as much along an axis as across.
+    /// Seven, up to 8.3 times; of two normal distributions for the longer one, and six for the other. Both read the one
+    /// that they become, where it is longer than four times its width. As close as nine each where slopes vary up to
+    /// twice as much along an axis as across.
     Seven,
     /// Nine, up to 11 times: as long as what is seen from the horizon of slopes that vary four times as much across
     /// the view as along it.
@@ -96,7 +97,7 @@ fn narrow(tier: SlopeTier) -> f64 {
 /// A map's table with the numbers by which it is read.
 pub(crate) struct Atlas {
     baked: Baked,
-    layout: String,
+    numbers: [String; 4],
     ranges: Ranges,
 }
 
@@ -120,8 +121,8 @@ impl Atlas {
         let deviations = Axis { low: 0.0, high: deviation, count: SLICES, spacing: Spacing::Logarithm };
         let baked = Plan { map: &map.reference(), slopes, deviations, farthest, smooth: floor(ranges) }.table("table");
         let per_octave = (1.0 - 1.0 / SLICES as f64) / (1.0 + BEND).log2();
-        let layout = [per_slope, 1.0 / unit, BEND / deviation, per_octave].map(|value| number(value as f32)).join(", ");
-        Self { baked, layout, ranges }
+        let numbers = [per_slope, 1.0 / unit, BEND / deviation, per_octave].map(|value| number(value as f32));
+        Self { baked, numbers, ranges }
     }
 
     /// The table with the error that a tier's reads have of it.
@@ -159,14 +160,15 @@ pub(crate) fn edge_error(tier: SlopeTier, taps: SlopeTaps) -> f64 {
     errors[taps as usize]
 }
 
-/// The shelf's functions of so many reads, for the longer of two distributions and for the shorter one.
-fn functions(taps: SlopeTaps) -> [&'static str; 2] {
+/// The shelf's functions of so many reads, for the longer of two distributions and for the shorter one, and the part of
+/// its length that the width of a distribution is at least.
+fn functions(taps: SlopeTaps) -> ([&'static str; 2], Option<&'static str>) {
     match taps {
-        SlopeTaps::One => ["slope_map_one"; 2],
-        SlopeTaps::Three => ["slope_map_three"; 2],
-        SlopeTaps::Five => ["slope_map_five"; 2],
-        SlopeTaps::Seven => ["slope_map_seven", "slope_map_six"],
-        SlopeTaps::Nine => ["slope_map_nine"; 2],
+        SlopeTaps::One => (["slope_map_one"; 2], None),
+        SlopeTaps::Three => (["slope_map_three"; 2], Some("rounds_three_least")),
+        SlopeTaps::Five => (["slope_map_five"; 2], Some("rounds_five_least")),
+        SlopeTaps::Seven => (["slope_map_seven", "slope_map_six"], Some("rounds_seven_least")),
+        SlopeTaps::Nine => (["slope_map_nine"; 2], Some("rounds_nine_least")),
     }
 }
 
@@ -181,37 +183,57 @@ pub(crate) fn shared(tier: SlopeTier) -> Vec<Shared> {
 
 /// The body of a tier.
 pub(crate) fn body(atlas: &Atlas, map: &SlopeMap, tier: SlopeTier, taps: SlopeTaps) -> String {
-    let layout = &atlas.layout;
-    let [function, fewer] = functions(taps);
-    let read = |function: &str, mean: &str, covariance: &str| {
-        format!("{function}({mean}, {covariance}, {layout}, table, table_sampler)")
+    let ([function, fewer], least) = functions(taps);
+    let layout = atlas.numbers.join(", ");
+    let [per_slope, bend, ..] = &atlas.numbers;
+    let shape = |covariance: &str| match least {
+        Some(least) => format!("footprint_stretched({covariance}, {least})"),
+        None => covariance.to_owned(),
     };
-    let part = |function: &str, mean: &str, variance: &str| {
-        read(function, &format!("mean_slope + {mean} * factor.xy"), &format!("slopes_covariance(factor, {variance})"))
+    let seen = |variance: &str| shape(&format!("slopes_covariance(factor, {variance})"));
+    let read = |function: &str, mean: &str, shape: &str| {
+        format!("{function}({mean}, {shape}, {layout}, table, table_sampler)")
     };
+    let at = |part: &str| format!("middle + {part} * factor.xy");
     let channels = if map.channels() == 3 { ".rgb" } else { "" };
     let ordered = fewer != function;
     let both = if ordered { "longer" } else { "split" };
-    match tier {
+    // Where there is one, and long, the other's sum is another one of it.
+    let long = if ordered { " || one.part < rounds_seven_enough" } else { "" };
+    // Infinite slopes are far ones.
+    let middle = "    let middle = clamp(mean_slope, vec2f(-1e18), vec2f(1e18));\n";
+    let rest = match tier {
         SlopeTier::Naive => {
-            format!("    return slope_map_read(mean_slope, 0.0, {layout}, table, table_sampler){channels};\n")
+            let slice = number(0.5 / SLICES as f32);
+            format!(
+                "    return slope_map_read(middle, {slice}, {per_slope}, {bend}, table, table_sampler){channels};\n"
+            )
         }
-        SlopeTier::Unweighted => {
-            format!("    return {}{channels};\n", read(function, "mean_slope", "slope_covariance"))
+        SlopeTier::Unweighted => format!(
+            "    let spread = clamp(slope_covariance, vec3f(-1e18), vec3f(1e18));\n    return {}{channels};\n",
+            read(function, "middle", &shape("spread"))
+        ),
+        SlopeTier::Gaussian => {
+            format!("    return {}{channels};\n", read(function, &at("moments.x"), &seen("moments.y")))
         }
-        SlopeTier::Gaussian => format!("    return {}{channels};\n", part(function, "moments.x", "moments.y")),
+        // Both shapes before the first read, so that a device finds them beside each other.
         SlopeTier::Pair => format!(
-            "{}    var c = {};
-    if parameter < split_single {{
+            "{}    let one = {};
+    let other = {};
+    var c = {};
+    if parameter < split_single{long} {{
         c = 0.5 * (c + {});
     }}
     return c{channels};
 ",
             if ordered { "    let longer = split_longer_first(factor, split);\n" } else { "" },
-            part(function, &format!("{both}.x"), &format!("{both}.y")),
-            part(fewer, &format!("{both}.z"), &format!("{both}.w"))
+            seen(&format!("{both}.y")),
+            seen(&format!("{both}.w")),
+            read(function, &at(&format!("{both}.x")), "one"),
+            read(fewer, &at(&format!("{both}.z")), "other")
         ),
-    }
+    };
+    middle.to_owned() + &rest
 }
 
 /// The filter of a tier with a body.

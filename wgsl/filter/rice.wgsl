@@ -14,17 +14,15 @@ fn rice_five(
     mean: vec2f, covariance: vec3f, low: f32, high: f32, reach: f32, table: texture_2d<f32>, table_sampler: sampler,
 ) -> vec4f {
     let m = clamp(mean, vec2f(-1e18), vec2f(1e18));
-    let d = min(footprint_deviations(covariance), vec2f(1e18));
-    let part = clamp(d.y / max(d.x, 1e-30), rounds_five_least, 1.0);
-    let arms = rounds_five(part);
-    let away = sqrt(1.0 - part * part) * d.x * footprint_direction(covariance);
-    let s = part * d.x;
+    let stretch = footprint_stretched(clamp(covariance, vec3f(-1e18), vec3f(1e18)), rounds_five_least);
+    let arms = rounds_five(stretch.part);
+    let s = stretch.deviation;
     let middle = texture_table(length(m), s, low, high, reach, table, table_sampler);
     var near = vec4f();
     var far = vec4f();
     for (var side = -1.0; side < 2.0; side += 2.0) {
-        near += texture_table(length(m + side * arms.x * away), s, low, high, reach, table, table_sampler);
-        far += texture_table(length(m + side * arms.y * away), s, low, high, reach, table, table_sampler);
+        near += texture_table(length(m + side * arms.x * stretch.away), s, low, high, reach, table, table_sampler);
+        far += texture_table(length(m + side * arms.y * stretch.away), s, low, high, reach, table, table_sampler);
     }
     return mix(middle, 0.5 * near, 2.0 * arms.z) + arms.w * (far - 2.0 * middle);
 }

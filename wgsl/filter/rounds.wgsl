@@ -12,6 +12,9 @@ const rounds_five_least = 0.16;
 /// The smallest part of six and of seven.
 const rounds_seven_least = 0.12;
 
+/// From this part on seven are enough for a distribution; below, the mean of seven and of six errs less between edges.
+const rounds_seven_enough = 0.25;
+
 /// The smallest part of nine.
 const rounds_nine_least = 0.09;
 

@@ -5,34 +5,40 @@
 // from 0 on evenly in the logarithm of 1 + deviation · per_deviation, with `per_octave` of the texture a doubling of
 // that. Means and deviations beyond read the border. The sampler is linear and clamps at the edges.
 
-/// Mean of a map over a round normal distribution of slopes, from its table.
+/// Coordinate of a deviation among the slices of a table.
+///
+/// Source: the definition above.
+/// Domain: deviation log in [1e-3, 0.5], per_deviation in [24, 24], per_octave in [0.25672624, 0.25672624].
+/// Error: 3e-7 absolute; f32 rounding and the device's log2.
+fn slope_map_slice(deviation: f32, per_deviation: f32, per_octave: f32) -> f32 {
+    // From the center of the first slice, ½/20.
+    return 0.025 + per_octave * log2(1.0 + per_deviation * clamp(deviation, 0.0, 1e18));
+}
+
+/// Mean of a map over a round normal distribution of slopes, from its table, by the `slope_map_slice` of the deviation.
 ///
 /// Source: Heitz et al. 2014, "Filtering Non-Linear Transfer Functions on Surfaces", section 5.2, with an axis for the
 /// deviation in place of a pyramid.
-/// Domain: mean in [-1.5, 1.5], deviation log in [0.1, 0.5], per_slope in [0.396875, 0.396875], bend in [0.4, 0.4],
-///   per_deviation in [24, 24], per_octave in [0.25672624, 0.25672624].
+/// Domain: mean in [-1.5, 1.5], slice in [0.47, 0.975], per_slope in [0.396875, 0.396875], bend in [0.4, 0.4].
 /// Error: 1e-3 absolute; trilinear interpolation of 128 × 128 × 20 nodes for a random map of 2 × 2 cells.
-fn slope_map_read(mean: vec2f, deviation: f32, per_slope: f32, bend: f32, per_deviation: f32, per_octave: f32,
-    table: texture_3d<f32>, table_sampler: sampler) -> vec4f {
-    let m = clamp(bend * mean, vec2f(-1e12), vec2f(1e12));
-    // One division for both components.
-    let b = 1.0 + abs(m);
-    let at = clamp(0.5 + per_slope / (bend * b.x * b.y) * (m * b.yx), vec2f(), vec2f(1.0));
-    // From the center of the first slice, ½/20.
-    let slice = 0.025 + per_octave * log2(1.0 + per_deviation * clamp(deviation, 0.0, 1e18));
-    return textureSampleLevel(table, table_sampler, vec3f(at, min(slice, 1.0)), 0.0);
+fn slope_map_read(
+    mean: vec2f, slice: f32, per_slope: f32, bend: f32, table: texture_3d<f32>, table_sampler: sampler,
+) -> vec4f {
+    let at = 0.5 + per_slope * mean / (1.0 + bend * abs(mean));
+    return textureSampleLevel(table, table_sampler, vec3f(at, slice), 0.0);
 }
 
 /// Sum of the means over two round normal distributions of slopes on either side of a mean.
 ///
 /// Source: the definition.
-/// Domain: mean in [-0.5, 0.5], away in [-1, 1], deviation log in [0.1, 0.5], per_slope in [0.396875, 0.396875],
-///   bend in [0.4, 0.4], per_deviation in [24, 24], per_octave in [0.25672624, 0.25672624].
+/// Domain: mean in [-0.5, 0.5], away in [-1, 1], slice in [0.47, 0.975], per_slope in [0.396875, 0.396875],
+///   bend in [0.4, 0.4].
 /// Error: 1.5e-3 absolute; of both reads.
-fn slope_map_sides(mean: vec2f, away: vec2f, deviation: f32, per_slope: f32, bend: f32, per_deviation: f32,
-    per_octave: f32, table: texture_3d<f32>, table_sampler: sampler) -> vec4f {
-    return slope_map_read(mean - away, deviation, per_slope, bend, per_deviation, per_octave, table, table_sampler)
-        + slope_map_read(mean + away, deviation, per_slope, bend, per_deviation, per_octave, table, table_sampler);
+fn slope_map_sides(
+    mean: vec2f, away: vec2f, slice: f32, per_slope: f32, bend: f32, table: texture_3d<f32>, table_sampler: sampler,
+) -> vec4f {
+    return slope_map_read(mean - away, slice, per_slope, bend, table, table_sampler)
+        + slope_map_read(mean + away, slice, per_slope, bend, table, table_sampler);
 }
 
 /// Mean of a map over a normal distribution of slopes, by the round one of the same area.
@@ -43,108 +49,94 @@ fn slope_map_sides(mean: vec2f, away: vec2f, deviation: f32, per_slope: f32, ben
 /// Error: 8e-2 absolute; of the shape, for a random map of 2 × 2 cells and axes of ratios up to 3.
 fn slope_map_one(mean: vec2f, covariance: vec3f, per_slope: f32, bend: f32, per_deviation: f32, per_octave: f32,
     table: texture_3d<f32>, table_sampler: sampler) -> vec4f {
-    let d = footprint_deviations(covariance);
-    let s = sqrt(d.x) * sqrt(d.y);
-    return slope_map_read(mean, s, per_slope, bend, per_deviation, per_octave, table, table_sampler);
+    let area = sqrt(max(covariance.x * covariance.z - covariance.y * covariance.y, 0.0));
+    let slice = slope_map_slice(sqrt(area), per_deviation, per_octave);
+    return slope_map_read(mean, slice, per_slope, bend, table, table_sampler);
 }
 
 /// Mean of a map over a normal distribution of slopes, by three round ones on its major axis.
 ///
 /// Source: `rounds_three`.
-/// Domain: mean in [-1.5, 1.5], covariance psd(0.2, 0.4, 0.5), per_slope in [0.396875, 0.396875], bend in [0.4, 0.4],
-///   per_deviation in [24, 24], per_octave in [0.25672624, 0.25672624].
+/// Domain: mean in [-1.5, 1.5], stretch from footprint_stretched, per_slope in [0.396875, 0.396875],
+///   bend in [0.4, 0.4], per_deviation in [24, 24], per_octave in [0.25672624, 0.25672624].
 /// Error: 6e-3 absolute; of the shape, for a random map of 2 × 2 cells and axes of ratios up to 3.
-fn slope_map_three(mean: vec2f, covariance: vec3f, per_slope: f32, bend: f32, per_deviation: f32, per_octave: f32,
-    table: texture_3d<f32>, table_sampler: sampler) -> vec4f {
-    let d = footprint_deviations(covariance);
-    let part = clamp(d.y / max(d.x, 1e-30), rounds_three_least, 1.0);
-    let sides = rounds_three(part);
-    let away = sqrt(1.0 - part * part) * sides.x * d.x * footprint_direction(covariance);
-    let s = part * d.x;
-    let middle = slope_map_read(mean, s, per_slope, bend, per_deviation, per_octave, table, table_sampler);
-    let both = slope_map_sides(mean, away, s, per_slope, bend, per_deviation, per_octave, table, table_sampler);
+fn slope_map_three(mean: vec2f, stretch: footprint_stretch, per_slope: f32, bend: f32, per_deviation: f32,
+    per_octave: f32, table: texture_3d<f32>, table_sampler: sampler) -> vec4f {
+    let sides = rounds_three(stretch.part);
+    let slice = slope_map_slice(stretch.deviation, per_deviation, per_octave);
+    let middle = slope_map_read(mean, slice, per_slope, bend, table, table_sampler);
+    let both = slope_map_sides(mean, sides.x * stretch.away, slice, per_slope, bend, table, table_sampler);
     return mix(middle, 0.5 * both, 2.0 * sides.y);
 }
 
 /// Mean of a map over a normal distribution of slopes, by five round ones on its major axis.
 ///
 /// Source: `rounds_five`.
-/// Domain: mean in [-1.5, 1.5], covariance psd(0.2, 0.4, 0.5), per_slope in [0.396875, 0.396875], bend in [0.4, 0.4],
-///   per_deviation in [24, 24], per_octave in [0.25672624, 0.25672624].
+/// Domain: mean in [-1.5, 1.5], stretch from footprint_stretched, per_slope in [0.396875, 0.396875],
+///   bend in [0.4, 0.4], per_deviation in [24, 24], per_octave in [0.25672624, 0.25672624].
 /// Error: 1e-3 absolute; of the shape, for a random map of 2 × 2 cells and axes of ratios up to 3.
-fn slope_map_five(mean: vec2f, covariance: vec3f, per_slope: f32, bend: f32, per_deviation: f32, per_octave: f32,
-    table: texture_3d<f32>, table_sampler: sampler) -> vec4f {
-    let d = footprint_deviations(covariance);
-    let part = clamp(d.y / max(d.x, 1e-30), rounds_five_least, 1.0);
-    let arms = rounds_five(part);
-    let away = sqrt(1.0 - part * part) * d.x * footprint_direction(covariance);
-    let s = part * d.x;
-    let middle = slope_map_read(mean, s, per_slope, bend, per_deviation, per_octave, table, table_sampler);
-    let a = slope_map_sides(mean, arms.x * away, s, per_slope, bend, per_deviation, per_octave, table, table_sampler);
-    let b = slope_map_sides(mean, arms.y * away, s, per_slope, bend, per_deviation, per_octave, table, table_sampler);
+fn slope_map_five(mean: vec2f, stretch: footprint_stretch, per_slope: f32, bend: f32, per_deviation: f32,
+    per_octave: f32, table: texture_3d<f32>, table_sampler: sampler) -> vec4f {
+    let arms = rounds_five(stretch.part);
+    let slice = slope_map_slice(stretch.deviation, per_deviation, per_octave);
+    let middle = slope_map_read(mean, slice, per_slope, bend, table, table_sampler);
+    let a = slope_map_sides(mean, arms.x * stretch.away, slice, per_slope, bend, table, table_sampler);
+    let b = slope_map_sides(mean, arms.y * stretch.away, slice, per_slope, bend, table, table_sampler);
     return mix(middle, 0.5 * a, 2.0 * arms.z) + arms.w * (b - 2.0 * middle);
 }
 
 /// Mean of a map over a normal distribution of slopes, by six round ones on its major axis.
 ///
 /// Source: `rounds_six_places`.
-/// Domain: mean in [-1.5, 1.5], covariance psd(0.2, 0.4, 0.5), per_slope in [0.396875, 0.396875], bend in [0.4, 0.4],
-///   per_deviation in [24, 24], per_octave in [0.25672624, 0.25672624].
+/// Domain: mean in [-1.5, 1.5], stretch from footprint_stretched, per_slope in [0.396875, 0.396875],
+///   bend in [0.4, 0.4], per_deviation in [24, 24], per_octave in [0.25672624, 0.25672624].
 /// Error: 1e-3 absolute; of the table, for a random map of 2 × 2 cells and axes of ratios up to 3.
-fn slope_map_six(mean: vec2f, covariance: vec3f, per_slope: f32, bend: f32, per_deviation: f32, per_octave: f32,
-    table: texture_3d<f32>, table_sampler: sampler) -> vec4f {
-    let d = footprint_deviations(covariance);
-    let part = clamp(d.y / max(d.x, 1e-30), rounds_seven_least, 1.0);
-    let places = rounds_six_places(part);
-    let weights = rounds_six_weights(part);
-    let away = sqrt(1.0 - part * part) * d.x * footprint_direction(covariance);
-    let s = part * d.x;
-    let a = slope_map_sides(mean, places.x * away, s, per_slope, bend, per_deviation, per_octave, table, table_sampler);
-    let b = slope_map_sides(mean, places.y * away, s, per_slope, bend, per_deviation, per_octave, table, table_sampler);
-    let c = slope_map_sides(mean, places.z * away, s, per_slope, bend, per_deviation, per_octave, table, table_sampler);
+fn slope_map_six(mean: vec2f, stretch: footprint_stretch, per_slope: f32, bend: f32, per_deviation: f32,
+    per_octave: f32, table: texture_3d<f32>, table_sampler: sampler) -> vec4f {
+    let places = rounds_six_places(stretch.part);
+    let weights = rounds_six_weights(stretch.part);
+    let slice = slope_map_slice(stretch.deviation, per_deviation, per_octave);
+    let a = slope_map_sides(mean, places.x * stretch.away, slice, per_slope, bend, table, table_sampler);
+    let b = slope_map_sides(mean, places.y * stretch.away, slice, per_slope, bend, table, table_sampler);
+    let c = slope_map_sides(mean, places.z * stretch.away, slice, per_slope, bend, table, table_sampler);
     return weights.x * a + weights.y * b + weights.z * c;
 }
 
 /// Mean of a map over a normal distribution of slopes, by seven round ones on its major axis.
 ///
 /// Source: `rounds_seven_places`.
-/// Domain: mean in [-1.5, 1.5], covariance psd(0.2, 0.4, 0.5), per_slope in [0.396875, 0.396875], bend in [0.4, 0.4],
-///   per_deviation in [24, 24], per_octave in [0.25672624, 0.25672624].
+/// Domain: mean in [-1.5, 1.5], stretch from footprint_stretched, per_slope in [0.396875, 0.396875],
+///   bend in [0.4, 0.4], per_deviation in [24, 24], per_octave in [0.25672624, 0.25672624].
 /// Error: 1e-3 absolute; of the table, for a random map of 2 × 2 cells and axes of ratios up to 3.
-fn slope_map_seven(mean: vec2f, covariance: vec3f, per_slope: f32, bend: f32, per_deviation: f32, per_octave: f32,
-    table: texture_3d<f32>, table_sampler: sampler) -> vec4f {
-    let d = footprint_deviations(covariance);
-    let part = clamp(d.y / max(d.x, 1e-30), rounds_seven_least, 1.0);
-    let places = rounds_seven_places(part);
-    let weights = rounds_seven_weights(part);
-    let away = sqrt(1.0 - part * part) * d.x * footprint_direction(covariance);
-    let s = part * d.x;
-    let middle = slope_map_read(mean, s, per_slope, bend, per_deviation, per_octave, table, table_sampler);
-    let a = slope_map_sides(mean, places.x * away, s, per_slope, bend, per_deviation, per_octave, table, table_sampler);
-    let b = slope_map_sides(mean, places.y * away, s, per_slope, bend, per_deviation, per_octave, table, table_sampler);
-    let c = slope_map_sides(mean, places.z * away, s, per_slope, bend, per_deviation, per_octave, table, table_sampler);
-    return (1.0 - 2.0 * dot(weights, vec3f(1.0))) * middle + weights.x * a + weights.y * b + weights.z * c;
+fn slope_map_seven(mean: vec2f, stretch: footprint_stretch, per_slope: f32, bend: f32, per_deviation: f32,
+    per_octave: f32, table: texture_3d<f32>, table_sampler: sampler) -> vec4f {
+    let places = rounds_seven_places(stretch.part);
+    let weights = rounds_seven_weights(stretch.part);
+    let slice = slope_map_slice(stretch.deviation, per_deviation, per_octave);
+    let middle = slope_map_read(mean, slice, per_slope, bend, table, table_sampler);
+    let a = slope_map_sides(mean, places.x * stretch.away, slice, per_slope, bend, table, table_sampler);
+    let b = slope_map_sides(mean, places.y * stretch.away, slice, per_slope, bend, table, table_sampler);
+    let c = slope_map_sides(mean, places.z * stretch.away, slice, per_slope, bend, table, table_sampler);
+    let rest = 1.0 - 2.0 * (weights.x + weights.y + weights.z);
+    return rest * middle + weights.x * a + weights.y * b + weights.z * c;
 }
 
 /// Mean of a map over a normal distribution of slopes, by nine round ones on its major axis.
 ///
 /// Source: `rounds_nine_places`.
-/// Domain: mean in [-1.5, 1.5], covariance psd(0.2, 0.4, 0.5), per_slope in [0.396875, 0.396875], bend in [0.4, 0.4],
-///   per_deviation in [24, 24], per_octave in [0.25672624, 0.25672624].
+/// Domain: mean in [-1.5, 1.5], stretch from footprint_stretched, per_slope in [0.396875, 0.396875],
+///   bend in [0.4, 0.4], per_deviation in [24, 24], per_octave in [0.25672624, 0.25672624].
 /// Error: 1e-3 absolute; of the table, for a random map of 2 × 2 cells and axes of ratios up to 3.
-fn slope_map_nine(mean: vec2f, covariance: vec3f, per_slope: f32, bend: f32, per_deviation: f32, per_octave: f32,
-    table: texture_3d<f32>, table_sampler: sampler) -> vec4f {
-    let d = footprint_deviations(covariance);
-    let part = clamp(d.y / max(d.x, 1e-30), rounds_nine_least, 1.0);
-    let places = rounds_nine_places(part);
-    let weights = rounds_nine_weights(part);
-    let away = sqrt(1.0 - part * part) * d.x * footprint_direction(covariance);
-    let s = part * d.x;
-    let middle = slope_map_read(mean, s, per_slope, bend, per_deviation, per_octave, table, table_sampler);
-    let a = slope_map_sides(mean, places.x * away, s, per_slope, bend, per_deviation, per_octave, table, table_sampler);
-    let b = slope_map_sides(mean, places.y * away, s, per_slope, bend, per_deviation, per_octave, table, table_sampler);
-    let c = slope_map_sides(mean, places.z * away, s, per_slope, bend, per_deviation, per_octave, table, table_sampler);
-    let e = slope_map_sides(mean, places.w * away, s, per_slope, bend, per_deviation, per_octave, table, table_sampler);
-    return (1.0 - 2.0 * dot(weights, vec4f(1.0))) * middle + weights.x * a + weights.y * b + weights.z * c
-        + weights.w * e;
+fn slope_map_nine(mean: vec2f, stretch: footprint_stretch, per_slope: f32, bend: f32, per_deviation: f32,
+    per_octave: f32, table: texture_3d<f32>, table_sampler: sampler) -> vec4f {
+    let places = rounds_nine_places(stretch.part);
+    let weights = rounds_nine_weights(stretch.part);
+    let slice = slope_map_slice(stretch.deviation, per_deviation, per_octave);
+    let middle = slope_map_read(mean, slice, per_slope, bend, table, table_sampler);
+    let a = slope_map_sides(mean, places.x * stretch.away, slice, per_slope, bend, table, table_sampler);
+    let b = slope_map_sides(mean, places.y * stretch.away, slice, per_slope, bend, table, table_sampler);
+    let c = slope_map_sides(mean, places.z * stretch.away, slice, per_slope, bend, table, table_sampler);
+    let d = slope_map_sides(mean, places.w * stretch.away, slice, per_slope, bend, table, table_sampler);
+    let rest = 1.0 - 2.0 * dot(weights, vec4f(1.0));
+    return rest * middle + weights.x * a + weights.y * b + weights.z * c + weights.w * d;
 }

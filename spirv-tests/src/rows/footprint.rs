@@ -11,6 +11,17 @@ fn has_direction(point: &[f64]) -> bool {
     major > 1.1 * minor
 }
 
+/// The vector by which a round distribution is stretched, its deviation, and that as a part of the major one.
+fn stretched(covariance: [f64; 3], least: f64) -> [f64; 4] {
+    let [major, minor] = deviations(covariance);
+    let part = (minor / major).max(least);
+    let long = major * (1.0 - part * part).sqrt();
+    // Of the two directions the one whose larger component is positive.
+    let [x, y] = axes(covariance)[0];
+    let sign = if covariance[0] >= covariance[2] { x } else { y }.signum();
+    [sign * long * x, sign * long * y, part * major, part]
+}
+
 pub(super) fn rows() -> Vec<Row> {
     vec![
         Row::new("footprint_covariance", |x| covariance([x[0], x[1]], [x[2], x[3]], [x[4], x[5], x[6]])).at([
@@ -24,5 +35,10 @@ pub(super) fn rows() -> Vec<Row> {
         .at([[0.0, 0.0, 0.0, 0.0, 0.5], [3.0, 1.0, 6.0, 2.0, 0.5]]),
         Row::new("footprint_deviations", |x| deviations([x[0], x[1], x[2]])).at([[0.0, 0.0, 0.0], [0.25, 0.0, 0.25]]),
         Row::new("footprint_direction", |x| axes([x[0], x[1], x[2]])[0]).only_where(has_direction).up_to_sign(),
+        Row::new("footprint_stretched", |x| stretched([x[0], x[1], x[2]], x[3])).at([
+            [0.04, 0.0, 0.04, 0.1],
+            [0.09, 0.0, 0.04, 0.1],
+            [0.04, 0.01, 0.09, 0.1],
+        ]),
     ]
 }

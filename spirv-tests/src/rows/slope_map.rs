@@ -23,6 +23,11 @@ fn map() -> (Bilinear, Table) {
 const NAMES: [&str; 6] =
     ["slope_map_one", "slope_map_three", "slope_map_five", "slope_map_six", "slope_map_seven", "slope_map_nine"];
 
+/// The deviation of a slice: the largest, ½, is that of the last of 20, and 24 / 25 of it the logarithm's unit.
+fn deviation(slice: f64) -> f64 {
+    0.5 * (25f64.powf((20.0 * slice - 0.5) / 19.0) - 1.0) / 24.0
+}
+
 pub(super) fn rows() -> Vec<Row> {
     let (map, table) = map();
     let reads = NAMES.map(|name| {
@@ -30,11 +35,18 @@ pub(super) fn rows() -> Vec<Row> {
         Row::new(name, move |x| map.mean([x[0], x[1]], [x[2], x[3], x[4]])).table(table.clone(), Address::Clamp)
     });
     let round = map.clone();
-    let read = Row::new("slope_map_read", move |x| round.mean([x[0], x[1]], [x[2] * x[2], 0.0, x[2] * x[2]]));
+    let read = Row::new("slope_map_read", move |x| {
+        let variance = deviation(x[2]).powi(2);
+        round.mean([x[0], x[1]], [variance, 0.0, variance])
+    });
     let sides = Row::new("slope_map_sides", move |x| {
-        let (variance, two) = (x[4] * x[4], [-1.0, 1.0].map(|side| [x[0] + side * x[2], x[1] + side * x[3]]));
+        let (variance, sides) = (deviation(x[4]).powi(2), [-1.0, 1.0]);
+        let two = sides.map(|side| [x[0] + side * x[2], x[1] + side * x[3]]);
         let [one, other] = two.map(|mean| map.mean(mean, [variance, 0.0, variance]));
         [0, 1, 2, 3].map(|channel| one[channel] + other[channel])
     });
-    reads.into_iter().chain([read, sides].map(|row| row.table(table.clone(), Address::Clamp))).collect()
+    let reads = reads.into_iter().chain([read, sides].map(|row| row.table(table.clone(), Address::Clamp)));
+    // The first of 20 slices has its center at ½/20.
+    let slice = Row::new("slope_map_slice", |x| [0.025 + x[2] * (1.0 + x[1] * x[0]).log2()]);
+    reads.chain([slice]).collect()
 }

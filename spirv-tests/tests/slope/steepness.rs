@@ -24,13 +24,11 @@ const TEN: &str = "
 struct five { lengths: vec4f, middle: f32, sigma: f32, weights: vec2f }
 struct ten { low: five, high: five }
 fn rounds(mean: vec2f, covariance: vec3f) -> five {
-    let d = footprint_deviations(covariance);
-    let part = clamp(d.y / d.x, rounds_five_least, 1.0);
-    let arms = rounds_five(part);
-    let away = sqrt(1.0 - part * part) * d.x * footprint_direction(covariance);
-    let lengths = vec4f(length(mean - arms.x * away), length(mean + arms.x * away), length(mean - arms.y * away),
-        length(mean + arms.y * away));
-    return five(lengths, length(mean), part * d.x, arms.zw);
+    let s = footprint_stretched(covariance, rounds_five_least);
+    let arms = rounds_five(s.part);
+    let lengths = vec4f(length(mean - arms.x * s.away), length(mean + arms.x * s.away),
+        length(mean - arms.y * s.away), length(mean + arms.y * s.away));
+    return five(lengths, length(mean), s.deviation, arms.zw);
 }
 fn asked(view: vec3f, mean_slope: vec2f, covariance: vec3f) -> ten {
     let factor = slopes_factor(view, covariance);

@@ -17,42 +17,32 @@ const CHAIN: &str = "
 struct rounds { mean: vec2f, away: vec2f, deviation: f32, places: vec4f, weights: vec4f }
 struct both { low: rounds, high: rounds }
 fn one(mean: vec2f, covariance: vec3f) -> rounds {
-    let d = footprint_deviations(covariance);
-    return rounds(mean, vec2f(), sqrt(d.x) * sqrt(d.y), vec4f(), vec4f());
+    let area = sqrt(covariance.x * covariance.z - covariance.y * covariance.y);
+    return rounds(mean, vec2f(), sqrt(area), vec4f(), vec4f());
 }
 fn three(mean: vec2f, covariance: vec3f) -> rounds {
-    let d = footprint_deviations(covariance);
-    let part = clamp(d.y / max(d.x, 1e-30), rounds_three_least, 1.0);
-    let sides = rounds_three(part);
-    let away = sqrt(1.0 - part * part) * d.x * footprint_direction(covariance);
-    return rounds(mean, away, part * d.x, vec4f(sides.x, vec3f()), vec4f(sides.y, vec3f()));
+    let s = footprint_stretched(covariance, rounds_three_least);
+    let sides = rounds_three(s.part);
+    return rounds(mean, s.away, s.deviation, vec4f(sides.x, vec3f()), vec4f(sides.y, vec3f()));
 }
 fn five(mean: vec2f, covariance: vec3f) -> rounds {
-    let d = footprint_deviations(covariance);
-    let part = clamp(d.y / max(d.x, 1e-30), rounds_five_least, 1.0);
-    let arms = rounds_five(part);
-    let away = sqrt(1.0 - part * part) * d.x * footprint_direction(covariance);
-    return rounds(mean, away, part * d.x, vec4f(arms.xy, vec2f()), vec4f(arms.zw, vec2f()));
+    let s = footprint_stretched(covariance, rounds_five_least);
+    let arms = rounds_five(s.part);
+    return rounds(mean, s.away, s.deviation, vec4f(arms.xy, vec2f()), vec4f(arms.zw, vec2f()));
 }
 fn six(mean: vec2f, covariance: vec3f) -> rounds {
-    let d = footprint_deviations(covariance);
-    let part = clamp(d.y / max(d.x, 1e-30), rounds_seven_least, 1.0);
-    let away = sqrt(1.0 - part * part) * d.x * footprint_direction(covariance);
-    return rounds(mean, away, part * d.x, vec4f(rounds_six_places(part), 0.0),
-        vec4f(rounds_six_weights(part), 0.0));
+    let s = footprint_stretched(covariance, rounds_seven_least);
+    return rounds(mean, s.away, s.deviation, vec4f(rounds_six_places(s.part), 0.0),
+        vec4f(rounds_six_weights(s.part), 0.0));
 }
 fn seven(mean: vec2f, covariance: vec3f) -> rounds {
-    let d = footprint_deviations(covariance);
-    let part = clamp(d.y / max(d.x, 1e-30), rounds_seven_least, 1.0);
-    let away = sqrt(1.0 - part * part) * d.x * footprint_direction(covariance);
-    return rounds(mean, away, part * d.x, vec4f(rounds_seven_places(part), 0.0),
-        vec4f(rounds_seven_weights(part), 0.0));
+    let s = footprint_stretched(covariance, rounds_seven_least);
+    return rounds(mean, s.away, s.deviation, vec4f(rounds_seven_places(s.part), 0.0),
+        vec4f(rounds_seven_weights(s.part), 0.0));
 }
 fn nine(mean: vec2f, covariance: vec3f) -> rounds {
-    let d = footprint_deviations(covariance);
-    let part = clamp(d.y / max(d.x, 1e-30), rounds_nine_least, 1.0);
-    let away = sqrt(1.0 - part * part) * d.x * footprint_direction(covariance);
-    return rounds(mean, away, part * d.x, rounds_nine_places(part), rounds_nine_weights(part));
+    let s = footprint_stretched(covariance, rounds_nine_least);
+    return rounds(mean, s.away, s.deviation, rounds_nine_places(s.part), rounds_nine_weights(s.part));
 }
 fn all_alike(view: vec3f, mean_slope: vec2f, covariance: vec3f) -> both {
     let all = TAPS(mean_slope, covariance);
@@ -67,12 +57,13 @@ fn single(view: vec3f, mean_slope: vec2f, covariance: vec3f) -> both {
 fn pair(view: vec3f, mean_slope: vec2f, covariance: vec3f) -> both {
     let factor = slopes_factor(view, covariance);
     let parameter = slopes_parameter(view, mean_slope, factor);
-    if parameter > split_single {
-        return single(view, mean_slope, covariance);
-    }
     let p = split_longer_first(factor, split_pair(parameter));
-    return both(TAPS(mean_slope + p.x * factor.xy, slopes_covariance(factor, p.y)),
-        FEWER(mean_slope + p.z * factor.xy, slopes_covariance(factor, p.w)));
+    let longer = TAPS(mean_slope + p.x * factor.xy, slopes_covariance(factor, p.y));
+    let part = footprint_stretched(slopes_covariance(factor, p.y), rounds_seven_least).part;
+    if parameter >= split_single && part >= rounds_seven_enough {
+        return both(longer, longer);
+    }
+    return both(longer, FEWER(mean_slope + p.z * factor.xy, slopes_covariance(factor, p.w)));
 }";
 
 /// A round normal distribution of slopes and its share.
