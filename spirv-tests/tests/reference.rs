@@ -49,6 +49,11 @@ fn quadrature_is_exact_for_high_powers_and_empty_for_empty_intervals() {
     assert!((high / ((2f64.powi(32) - 1.0) / 32.0) - 1.0).abs() < 1e-13, "{high}");
     assert_eq!(integrate(1.0, 1.0, 1.0, |_| [1.0]), [0.0]);
     assert_eq!(integrate(2.0, 1.0, 1.0, |_| [1.0]), [0.0]);
+    // Panels without a width come to an end.
+    for width in [0.0, -1.0, f64::MIN_POSITIVE, f64::NAN] {
+        let [square] = integrate(0.0, 1.0, width, |x| [3.0 * x * x]);
+        assert!((square - 1.0).abs() < 1e-9, "{width}: {square}");
+    }
 }
 
 fn gray(knots: &[(f64, f64, f64)]) -> PiecewiseLinear {

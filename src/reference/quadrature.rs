@@ -21,7 +21,10 @@ const HALF_RULE: [(f64, f64); 8] = [
 const SHORT_RULE: [(f64, f64); 2] =
     [(0.339_981_043_584_856, 0.652_145_154_862_546), (0.861_136_311_594_053, 0.347_854_845_137_454)];
 
-/// The integral of a vector-valued function over [from, to] in equal panels no wider than `width`.
+/// The most panels of an integral.
+const MOST: f64 = 1e6;
+
+/// The integral of a vector-valued function over [from, to] in equal panels no wider than `width`, a million at most.
 ///
 /// Exact for polynomials up to degree 31 in each panel; a Gaussian factor of deviation σ with panels of 2σ leaves
 /// less than 1e-14. A range below an eighth of `width` takes the shorter rule, exact up to degree 7, with as little
@@ -33,6 +36,7 @@ pub fn integrate<const N: usize>(from: f64, to: f64, width: f64, function: impl 
     }
     let rule: &[(f64, f64)] = if to - from < width / 8.0 { &SHORT_RULE } else { &HALF_RULE };
     let panels = ((to - from) / width).ceil().max(1.0);
+    let panels = panels.min(MOST);
     let half = 0.5 * (to - from) / panels;
     let mut add = |at: f64, weight: f64| {
         for (total, value) in sum.iter_mut().zip(function(at)) {

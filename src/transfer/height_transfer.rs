@@ -166,9 +166,10 @@ impl HeightTransfer {
         bends
     }
 
-    /// The values between `low` and `high`, both finite, at which the curve passes a height or begins or ends to stay
-    /// on it, from the lowest.
+    /// The values between `low` and `high` at which the curve passes a height or begins or ends to stay on it, from the
+    /// lowest. Infinite ends count as the largest numbers.
     pub fn crossings(&self, low: f64, high: f64, height: f64) -> Vec<f64> {
+        let [low, high] = [low, high].map(|end| end.clamp(f64::MIN, f64::MAX));
         let inner = self.bends().into_iter().filter(|&bend| low < bend && bend < high);
         let ends: Vec<f64> = [low].into_iter().chain(inner).chain([high]).collect();
         let above = |value: f64| self.height(value) - height;
@@ -232,8 +233,9 @@ fn bisected(from: f64, to: f64, holds: impl Fn(f64) -> bool) -> f64 {
     let [mut low, mut high] = [from, to];
     // Halves until there is no number between.
     loop {
-        let middle = 0.5 * (low + high);
-        if middle <= low || middle >= high {
+        let middle = 0.5 * low + 0.5 * high;
+        // Written so that what is no number ends it.
+        if !(low < middle && middle < high) {
             return high;
         }
         if holds(middle) {

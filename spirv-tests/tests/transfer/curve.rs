@@ -112,6 +112,15 @@ fn crossings_part_the_curve() -> Outcome {
     let terraces = HeightTransfer::terraces(2, 0.5)?;
     assert_eq!(terraces.crossings(-1.0, 2.0, 0.5), [0.375, 0.625]);
     assert_eq!(HeightTransfer::absolute().crossings(-1.0, 2.0, 0.0), [0.0]);
+    // Ends without an end, and none: the search comes to one.
+    let endless = [f64::NEG_INFINITY, f64::INFINITY];
+    for (exponent, height, expected) in [(1.0, 0.25, 0.25), (2.0, 0.25, 0.5), (2.5, 32.0, 4.0)] {
+        let found = HeightTransfer::power(exponent)?.crossings(endless[0], endless[1], height);
+        assert!(found.len() == 1 && (found[0] - expected).abs() < 1e-12, "{found:?}");
+    }
+    let both = HeightTransfer::absolute().crossings(endless[0], endless[1], 2.0);
+    assert!(both.len() == 2 && (both[0] + 2.0).abs() < 1e-12 && (both[1] - 2.0).abs() < 1e-12, "{both:?}");
+    assert!(HeightTransfer::absolute().crossings(f64::NAN, 1.0, f64::NAN).is_empty());
     Ok(())
 }
 
