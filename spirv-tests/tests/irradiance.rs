@@ -243,6 +243,14 @@ fn images_become_polynomials() -> Outcome {
     assert!(error.contains("column 2 of row 1"), "{error}");
     assert!(Irradiance::from_equirectangular(width, height + 1, &texels).is_err());
     assert!(Irradiance::from_harmonics([[f32::NAN; 3]; 9]).is_err());
+    // The brightest image that is allowed, all around and on one side, is one that is stored, too.
+    for bright in [|_: usize| true, |row: usize| row < 16] {
+        let texels: Vec<[f32; 3]> = (0..64 * 32).map(|at| [if bright(at / 64) { 65504.0 } else { 0.0 }; 3]).collect();
+        let light = Irradiance::from_equirectangular(64, 32, &texels)?;
+        let up = light.value([0.0, 0.0, 1.0])[0] / 65504.0;
+        assert!((up - std::f32::consts::PI).abs() < 0.2, "{up}");
+        assert_eq!(serde_json::from_str::<Irradiance>(&serde_json::to_string(&light)?)?, light);
+    }
     Ok(())
 }
 

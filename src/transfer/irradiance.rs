@@ -38,6 +38,11 @@ impl Irradiance {
                 return Err(Error::value(what, *value, "a number from -65504 to 65504"));
             }
         }
+        Ok(Self::of(radiance))
+    }
+
+    /// The irradiance of these coefficients, whatever they are.
+    fn of(radiance: [[f32; 3]; 9]) -> Self {
         let mut polynomial = [[0.0; 3]; 9];
         for channel in 0..3 {
             let l = radiance.map(|color| f64::from(color[channel]));
@@ -59,7 +64,7 @@ impl Irradiance {
                 color[channel] = term as f32;
             }
         }
-        Ok(Self { polynomial })
+        Self { polynomial }
     }
 
     /// From an image of the radiance all around: rows from the zenith, +z, to the nadir, columns around from +x by +y.
@@ -92,7 +97,8 @@ impl Irradiance {
                 }
             }
         }
-        Self::from_harmonics(sums.map(|color| color.map(|value| value as f32)))
+        // The first coefficient is up to √4π times the largest radiance.
+        Ok(Self::of(sums.map(|color| color.map(|value| value as f32))))
     }
 
     /// The irradiance on a plane with this unit normal, not below 0.

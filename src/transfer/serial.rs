@@ -51,9 +51,9 @@ impl From<Irradiance> for Terms {
 impl TryFrom<Terms> for Irradiance {
     type Error = Error;
 
-    /// Of radiances up to 65504 no term is more than 1.4 times that.
+    /// Of coefficients up to 65504 no term is more than 1.4 times that, of the radiances of an image π times.
     fn try_from(Terms { polynomial }: Terms) -> Result<Self, Error> {
-        let limit = 2.0 * MAX_COLOR;
+        let limit = 4.0 * MAX_COLOR;
         for (term, color) in polynomial.iter().enumerate() {
             if let Some(value) = color.iter().find(|value| !(value.abs() <= limit)) {
                 let what = format!("the color of term {term} of the irradiance");
