@@ -5,9 +5,13 @@ use crate::table::transfer::Plan;
 use crate::table::{power, Table};
 use crate::transfer::height_transfer::HeightTransfer;
 use crate::transfer::polynomial::Piece;
+use crate::Error;
 
 /// What to call the table.
 const TABLE: &str = "transfer";
+
+/// The largest height and slope of a preconvolved curve.
+const LARGEST: f64 = 1e18;
 
 /// The WGSL function `NAME_transferred(mean: f32, deviation: f32) -> vec4f`, which returns mean and variance of h =
 /// g(f) and of the slope g′(f) over a normal f, piece by piece in closed form; none for a power other than 1, 2 and 3.
@@ -51,9 +55,20 @@ pub fn stage(name: &str, curve: &HeightTransfer) -> (String, Vec<Table>) {
 ///
 /// Source: Heitz, Nowrouzezahrai, Poulin and Neyret 2014, "Filtering Non-Linear Transfer Functions on Surfaces",
 /// section 7, with deviations in place of second moments.
-pub fn preconvolved(name: &str, curve: &HeightTransfer, ranges: &Ranges) -> (String, Table) {
-    let (parameters, body, table) = tabulated(curve, ranges);
-    (documented(name, parameters, &body), table)
+///
+/// # Errors
+/// Ranges that a scene refuses, and those over which the curve reaches heights or slopes beyond 1e18, whose squares are
+/// beyond what floats hold.
+pub fn preconvolved(name: &str, curve: &HeightTransfer, ranges: &Ranges) -> Result<(String, Table), Error> {
+    ranges.check()?;
+    let plan = Plan::new(curve, ranges.mean, ranges.deviation);
+    for (what, value) in ["the highest height of a curve", "its steepest slope"].into_iter().zip(plan.largest()) {
+        if !(value <= LARGEST) {
+            return Err(Error::value(what, value as f32, format!("at most {LARGEST:e} over all values that occur")));
+        }
+    }
+    let (parameters, body, table) = tabulated(plan, ranges);
+    Ok((documented(name, parameters, &body), table))
 }
 
 /// The WGSL function `NAME_narrow(mean: f32, deviation: f32, …) -> vec2f`, which returns mean and deviation of h over a
@@ -117,8 +132,7 @@ fn powered(curve: &HeightTransfer, exponent: f64) -> (&'static str, String, Tabl
 }
 
 /// A curve by its preconvolved texture: the same.
-fn tabulated(curve: &HeightTransfer, ranges: &Ranges) -> (&'static str, String, Table) {
-    let plan = Plan::new(curve, ranges.mean, ranges.deviation);
+fn tabulated(plan: Plan<'_>, ranges: &Ranges) -> (&'static str, String, Table) {
     let ends = list(&[ranges.mean.0, ranges.mean.1, ranges.deviation].map(f64::from));
     let [height, slope] = plan.radii;
     let body = format!(

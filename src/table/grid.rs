@@ -94,9 +94,10 @@ impl Axis {
         Self { high: self.value(count.saturating_sub(1) as f64), count, ..self }
     }
 
-    /// The same axis with its ends as a shader knows them.
+    /// The same axis with its ends as a shader knows them, and tells apart: far from 0 short axes are drawn longer.
     pub(crate) fn in_f32(self) -> Self {
-        Self { low: f64::from(self.low as f32), high: f64::from(self.high as f32), ..self }
+        let [low, high] = [self.low, self.high].map(|end| end as f32);
+        Self { low: low.into(), high: high.max(low.next_up()).into(), ..self }
     }
 
     /// The value at a node number; fractions lie between nodes as bilinear filtering sees them.

@@ -21,6 +21,8 @@ pub(crate) struct Plan<'a> {
     curve: &'a HeightTransfer,
     means: Axis,
     deviations: Axis,
+    /// Between which heights and slopes are.
+    ranges: [(f64, f64); 2],
     /// What height and slope 0 stand for in the table.
     pub middles: [f64; 2],
     /// What height and slope 1 are above that.
@@ -38,7 +40,12 @@ impl<'a> Plan<'a> {
         let radius = |(low, high): (f64, f64)| f64::from((0.5 * (high - low)).max(1e-30) as f32);
         let ends = [low - REACH * most, high + REACH * most];
         let ranges = [curve.range(ends[0], ends[1]), curve.slopes(ends[0], ends[1])];
-        Self { curve, means, deviations, middles: ranges.map(middle), radii: ranges.map(radius) }
+        Self { curve, means, deviations, ranges, middles: ranges.map(middle), radii: ranges.map(radius) }
+    }
+
+    /// The largest magnitude of a height and of a slope.
+    pub(crate) fn largest(&self) -> [f64; 2] {
+        self.ranges.map(|(low, high)| low.abs().max(high.abs()))
     }
 
     /// Mean and deviation of the height and of the slope, in parts of their ranges, with the largest error between

@@ -17,7 +17,8 @@ fn of(curve: &HeightTransfer, x: &[f64]) -> [f64; 4] {
 fn table() -> Row {
     let heights = [0.0, 0.3, 0.25, 0.6, 1.0, 0.7, 0.75, 0.9, 0.4, 0.1, 0.2];
     let curve = HeightTransfer::samples(0.0, 1.0, &heights).expect("eleven samples are a curve");
-    let (_, table) = preconvolved("judged", &curve, &Ranges { mean: (-0.5, 1.5), deviation: 0.5 });
+    let (_, table) = preconvolved("judged", &curve, &Ranges { mean: (-0.5, 1.5), deviation: 0.5 })
+        .expect("heights and slopes of samples are small");
     let (least, steepest) = curve.slopes(f64::NEG_INFINITY, f64::INFINITY);
     let (middle, slope) = (0.5 * (least + steepest), 0.5 * (steepest - least));
     let parts = move |x: &[f64]| {

@@ -186,3 +186,17 @@ fn older_files_load() -> Outcome {
     assert_eq!(surface, known);
     Ok(())
 }
+
+/// Over ranges that lie far from the map, all colors are those of its end: the axis of their table has no length.
+#[test]
+fn ranges_far_from_the_map_make_a_module() -> Outcome {
+    for mean in [(40000.0, 40001.0), (65000.0, 65000.01), (-65001.0, -65000.0)] {
+        for map in [named("terrain")?, named("steps6")?] {
+            let far = Scene::new("far").height(map).ranges(Ranges { mean, deviation: 1e-3 });
+            far.clone().module()?;
+            let read = far.height_tier(HeightTier::Skewed).module()?;
+            assert_eq!(read.tables().len(), 1);
+        }
+    }
+    Ok(())
+}

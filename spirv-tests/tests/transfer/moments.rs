@@ -4,7 +4,7 @@ use prefilter::driver::transfer;
 use prefilter::gpu::{Address, Device};
 use prefilter::reference::piece::moments;
 use prefilter::table::Table;
-use prefilter::{HeightTransfer, Ranges};
+use prefilter::{Error, HeightTransfer, Ranges};
 use spirv_tests::fill::rounded;
 use spirv_tests::kernel::Function;
 use spirv_tests::random::Random;
@@ -126,9 +126,28 @@ fn tabulated(
     let (text, tables) = transfer::stage("judged", curve);
     let (text, table) = match tables.into_iter().next() {
         Some(table) => (text, table),
-        None => transfer::preconvolved("judged", curve, &Ranges { mean: (-0.5, 1.5), deviation: 0.5 }),
+        None => transfer::preconvolved("judged", curve, &Ranges { mean: (-0.5, 1.5), deviation: 0.5 })?,
     };
     let texture = device.upload(&table, Address::Clamp)?;
     let results = Function::in_text(&text, "judged_transferred")?.results(device, &[&texture], points)?;
     Ok((errors(curve, span, points, &results), table))
+}
+
+/// Heights whose squares no float holds are refused, not written as what no shader reads.
+#[test]
+fn heights_beyond_floats_are_refused() -> Result<(), Error> {
+    let whole = Ranges { mean: (-65504.0, 65504.0), deviation: 65504.0 };
+    for (exponent, fits) in [(8.0, false), (3.5, false), (2.5, true), (1.5, true)] {
+        let curve = HeightTransfer::power(exponent)?;
+        match transfer::preconvolved("far", &curve, &whole) {
+            Ok((text, _)) => {
+                assert!(fits, "{text}");
+                prefilter::link(&[], &text)?;
+            }
+            Err(error) => assert!(!fits && error.to_string().contains("1e18"), "{error}"),
+        }
+    }
+    let narrow = Ranges { mean: (0.0, 1.0), deviation: 0.0 };
+    assert!(matches!(transfer::preconvolved("flat", &HeightTransfer::absolute(), &narrow), Err(Error::Value { .. })));
+    Ok(())
 }
