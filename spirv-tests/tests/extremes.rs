@@ -3,8 +3,8 @@
 use std::error::Error as StdError;
 
 use prefilter::{
-    Accuracy, ColorMap, Colors, Driver, Error, HeightTier, Kernel, Microsurface, Module, Moments, Pixel, Ranges, Scene,
-    Shader, Table, Taps, Tier,
+    Accuracy, ColorMap, Colors, Driver, Error, HeightTier, HeightTransfer, Kernel, Microsurface, Module, Moments,
+    Pixel, Ranges, Scene, Shader, Table, Taps, Tier, TransferTier,
 };
 use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
@@ -37,14 +37,33 @@ fn tier() -> impl Strategy<Value = (Option<Tier>, Colors)> {
         (Some(exact), Colors::Constant),
         (Some(exact), Colors::Dynamic),
         (Some(Tier::Naive), Colors::Dynamic),
+        (Some(Tier::Table), Colors::Constant),
+        (Some(Tier::Table), Colors::Dynamic),
         (None, Colors::Dynamic),
         (None, Colors::Constant),
     ])
 }
 
 fn height_tier() -> impl Strategy<Value = HeightTier> {
-    use HeightTier::{ClosedForm, ClosedFormFast, Exact, Gaussian, Paper};
-    proptest::sample::select(vec![Paper, Gaussian, ClosedFormFast, ClosedForm, Exact])
+    use HeightTier::{ClosedForm, ClosedFormFast, Exact, Gaussian, Paper, Skewed};
+    proptest::sample::select(vec![Paper, Gaussian, ClosedFormFast, ClosedForm, Exact, Skewed])
+}
+
+/// Curves of any numbers, those that are refused left out.
+fn curve() -> impl Strategy<Value = Option<HeightTransfer>> {
+    let any = (prop::collection::vec((number(), number()), 1..4), number(), number(), (number(), number()), 0..5);
+    any.prop_map(|(mut knots, a, b, values, shape)| {
+        knots.sort_by(|one, other| one.0.total_cmp(&other.0));
+        let curve = match shape {
+            0 => HeightTransfer::knots(knots),
+            1 => HeightTransfer::smoothstep(a.min(b), a.max(b)),
+            2 => HeightTransfer::terraces(3, a),
+            3 => HeightTransfer::power(1.0 + a.abs().fract()),
+            _ => HeightTransfer::absolute().scaled(a, b),
+        };
+        let over = |curve: HeightTransfer| if a < b { curve.over(values, b) } else { curve };
+        curve.ok().map(over)
+    })
 }
 
 fn pixel() -> impl Strategy<Value = Pixel> {
@@ -65,13 +84,27 @@ fn shares(map: &ColorMap) -> Result<ColorMap, TestCaseError> {
     ColorMap::gradient(stops).map_err(|error| TestCaseError::fail(error.to_string()))
 }
 
-/// Whether a module's text, numbers and probe hold together: 1, or 0 for a scene that is refused.
+/// Whether a module's text, numbers and probe hold together: 1, or 0 for a scene that is refused for what it says. One
+/// whose text no validator takes is not refused but wrong.
 fn sound(scene: &Scene) -> Result<usize, TestCaseError> {
-    let Ok(module) = scene.module() else { return Ok(0) };
+    let module = match scene.module() {
+        Ok(module) => module,
+        Err(error @ (Error::Shader { .. } | Error::Collision { .. } | Error::Backend { .. })) => {
+            return Err(TestCaseError::fail(format!("{error}: {scene:?}")))
+        }
+        Err(_) => return Ok(0),
+    };
     prop_assert!(module.bound().value() >= 0.0 && module.bound().value().is_finite(), "{}", module.explain());
     let linked = module.link(&module.probe(prefilter::Stage::Fragment));
     prop_assert!(linked.is_ok_and(|shader| shader.spirv().is_ok()), "{}", module.wgsl());
     Ok(1)
+}
+
+/// Scenes of slopes and of their lengths.
+fn slopes(map: &ColorMap, colors: Colors, ranges: Ranges, accuracy: Accuracy) -> [Scene; 4] {
+    let slope = Scene::new("extreme").slope(map.clone()).colors(colors);
+    let steep = Scene::new("extreme").steepness(map.clone()).colors(colors);
+    [slope.clone().ranges(ranges), slope.accuracy(accuracy), steep.clone().ranges(ranges), steep]
 }
 
 proptest! {
@@ -108,12 +141,13 @@ fn scenes_return() -> Result<(), Box<dyn StdError + Send + Sync>> {
             let shares = Scene::new("extreme").height_percentile(shares(&map)?).colors(colors).microsurface(surface);
             let over = tier.filter(|_| matches!(height, HeightTier::Paper | HeightTier::Gaussian));
             let high = over.map_or(high.clone().accuracy(accuracy), |tier| high.tier(tier));
-            let scene = Scene::new("extreme").texture(map).colors(colors);
+            let scene = Scene::new("extreme").texture(map.clone()).colors(colors);
             let scene = tier.map_or(scene.clone().accuracy(accuracy), |tier| scene.tier(tier));
             let driven = [scene.clone().driver(driver.clone()), scene.clone().ranges(ranges).driver(driver.clone())];
             let plain = [scene.clone(), scene.ranges(ranges), shares];
             let heights = [high.clone().driver(driver), high.clone(), high.ranges(ranges)];
-            for scene in driven.iter().chain(&plain).chain(&heights) {
+            let slopes = slopes(&map, colors, ranges, accuracy);
+            for scene in driven.iter().chain(&plain).chain(&heights).chain(&slopes) {
                 accepted.set(accepted.get() + sound(scene)?);
             }
             Ok(())
@@ -121,6 +155,28 @@ fn scenes_return() -> Result<(), Box<dyn StdError + Send + Sync>> {
     )?;
     println!("{} scenes accepted", accepted.get());
     assert!(accepted.get() >= 240);
+    Ok(())
+}
+
+/// The same of heights by a curve, whose tables take longer.
+#[test]
+fn scenes_of_curves_return() -> Result<(), Box<dyn StdError + Send + Sync>> {
+    let accepted = std::cell::Cell::new(0);
+    let config = ProptestConfig { cases: 60, failure_persistence: None, ..ProptestConfig::default() };
+    TestRunner::new(config).run(
+        &(stops(), curve(), surface(), prop::bool::ANY),
+        |(stops, curve, surface, paper)| {
+            let (Ok(map), Some(curve)) = (ColorMap::gradient(sorted(&stops)), curve) else { return Ok(()) };
+            let tier = if paper { TransferTier::Paper } else { TransferTier::TwoNodes };
+            let high = Scene::new("extreme").height(map.clone()).microsurface(surface);
+            for scene in [high, Scene::new("extreme").slope(map.clone()), Scene::new("extreme").steepness(map)] {
+                accepted.set(accepted.get() + sound(&scene.transfer(curve.clone()).transfer_tier(tier))?);
+            }
+            Ok(())
+        },
+    )?;
+    println!("{} scenes accepted", accepted.get());
+    assert!(accepted.get() >= 10);
     Ok(())
 }
 
