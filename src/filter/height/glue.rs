@@ -111,23 +111,39 @@ fn {name}_masking({statistics}{slopes}, view: vec3f{tables}) -> f32 {{
     }
 }
 
-/// What shares may be off by: the error of a Λ relative to 1 + Λ, twice that and 6e-6 of the independence of azimuths
-/// where view and light are correlated; a rise over a mean surface adds 1e-5 to either.
+/// What shares may be off by: the error of a Λ relative to 1 + Λ, and twice that and that of the independence of
+/// azimuths where view and light are correlated; and the rounding of quotients.
 fn within(tier: HeightTier, hotspot: bool, surface: Microsurface) -> String {
-    let digits = match (tier, hotspot, surface.mean_slope) {
-        (HeightTier::Exact, false, false) => "4e-6",
-        (HeightTier::Exact, true, false) => "1e-5",
-        (HeightTier::Exact, false, true) => "2e-5",
-        (HeightTier::Exact, true, true) => "3e-5",
-        (_, false, false) => "1e-4",
-        (_, false, true) => "1.1e-4",
-        (_, true, _) => "2e-4",
+    let own = if tier == HeightTier::Exact { LAMBDA } else { FAST };
+    let error = own + CORRELATED + if surface.mean_slope { ROUNDED } else { 0.0 };
+    let error = if hotspot { 2.0 * (error + QUOTIENT) + INDEPENDENCE } else { error + QUOTIENT };
+    let rise = if surface.mean_slope {
+        format!(" and directions that\n/// win {RISE} over the mean surface")
+    } else {
+        String::new()
     };
-    if surface.mean_slope {
-        return format!("Within {digits} of Smith's\n/// model for directions that win {RISE} over the mean surface.");
-    }
-    format!("Within {digits} of Smith's model.")
+    format!("Within {} of Smith's\n/// model for slope correlations up to {CORRELATION}{rise}.", rounded_up(error))
 }
+
+/// The number with two digits, no less than it is.
+fn rounded_up(error: f64) -> String {
+    let unit = 10f64.powf(error.log10().floor() - 1.0);
+    // Less what the quotient may be rounded by.
+    let digits = (error / unit - 1e-9).ceil() / 10.0;
+    format!("{digits}e{}", error.log10().floor())
+}
+
+/// What the shelf promises: of `smith_lambda` and its fast form relative to 1 + Λ, of a parameter over a tilted surface
+/// for directions that win [`RISE`], of `visibility_independence`, and of a quotient of sums.
+const LAMBDA: f64 = 1e-6;
+const FAST: f64 = 9e-5;
+const ROUNDED: f64 = 1e-6 + 1e-7 / RISE;
+const INDEPENDENCE: f64 = 6e-6;
+const QUOTIENT: f64 = 2e-7;
+
+/// The largest correlation of slopes for which shares keep that, and what it costs a Λ, as `smith_parameter` says.
+const CORRELATION: f64 = 0.98;
+const CORRELATED: f64 = 1.5e-7 / (1.0 - CORRELATION);
 
 /// What `NAME_height` says of its parameters, where the map is one of heights.
 const HEIGHTS: &str = "\

@@ -7,15 +7,6 @@ use super::covers::Covers;
 use super::filters::Filter;
 use super::points::Point;
 use super::subject::Subject;
-use crate::contract::{Contract, Promise};
-use crate::kernel::Function;
-
-/// How much the share that is lit, p, moves with errors of both Λ, as parts of 1 + Λ: p (3 - 2p) at most.
-const MOVED: f64 = 1.125;
-
-/// What parameters add to the errors of Λ up to correlations of 0.9, as `smith_parameter` says; and the quotient's own.
-const PARAMETERS: f64 = 1.5e-6;
-const QUOTIENT: f64 = 2e-7;
 
 /// What is promised of a filter, or of each layer of a combination.
 #[derive(Clone, Debug, PartialEq)]
@@ -34,7 +25,9 @@ impl Promised {
         let (filter, text) = (subject.filter, module.explain());
         let covers = match filter {
             Filter::Visibility => {
-                return Ok(Self { bound: shares(module)?, covers: vec![(filter, Covers::of(text)?)] })
+                let [bound, correlation] = shares(module)?;
+                let covers = Covers { correlation, ..Covers::of(text)? };
+                return Ok(Self { bound, covers: vec![(filter, covers)] });
             }
             Filter::Combination => {
                 let parts = text.split("  layer   ").skip(1);
@@ -64,13 +57,18 @@ impl Promised {
     }
 }
 
-/// What the shares that are lit may err by: contracts of Λ, as far as those move shares.
-fn shares(module: &Module) -> Result<f64, String> {
-    let lambda = if module.wgsl().contains("smith_lambda_fast(") { "smith_lambda_fast" } else { "smith_lambda" };
-    match Contract::of(&Function::of_shelf(lambda)?)?.promise {
-        Promise::Mixed(error) => Ok(MOVED * (error + PARAMETERS) + QUOTIENT),
-        other => Err(format!("`{lambda}` promises {other:?}")),
-    }
+/// What the export says that shares that are lit are within, and up to which correlation of slopes.
+fn shares(module: &Module) -> Result<[f64; 2], String> {
+    let lit = module.exports().iter().find(|export| export.name.ends_with("_visibility"));
+    let text = lit.ok_or("no share is lit")?.documentation.split_whitespace().collect::<Vec<_>>().join(" ");
+    let number = |phrase: &str| {
+        let (_, rest) = text.split_once(phrase)?;
+        rest.split(' ').next()?.trim_end_matches('.').parse().ok()
+    };
+    let numbers = number("Within ").zip(number("correlations up to "));
+    numbers
+        .map(|(bound, correlation)| [bound, correlation])
+        .ok_or(format!("what shares are within is not said: {text}"))
 }
 
 /// How far the truth of narrow heights or slopes moves within what positions are rounded by.
@@ -116,7 +114,7 @@ impl Point {
             // Narrow heights and large Λ, too.
             Filter::Height => inside(self.mean),
             Filter::HeightPercentile => self.hidden(covers),
-            Filter::Visibility => self.hidden(covers) && !self.correlated(0.9),
+            Filter::Visibility => self.hidden(covers) && !self.correlated(covers.correlation),
             // Narrow and wide slopes, too.
             Filter::Slope => self.sees(covers) && inside(self.component()) && steep <= steepest,
             Filter::SlopeMap => self.sees(covers) && round && inside(x) && inside(y),
