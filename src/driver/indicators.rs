@@ -1,6 +1,6 @@
 //! The tabulated driver of maps of bands: shares of each band over a footprint, from a pyramid.
 
-use super::taps::{Pixel, Reader, Taps};
+use super::taps::{Pixel, Reader, Taps, SAMPLER};
 use super::Called;
 
 /// A driver that reads how much of the pixel's footprint each band of a map covers from an
@@ -77,7 +77,7 @@ let plane = indicators_plane({over});"
         "/// Mean color of `{name}` over a pixel's footprint on an image, by {points} of the shares of its bands.
 ///
 /// `position` is in texture coordinates, `dpdx` and `dpdy` are its screen derivatives; `shares` holds how much of the
-/// image is above each edge. Textures are read at texel centers: their samplers may be of any kind.
+/// image is above each edge, read at texel centers: {SAMPLER}
 fn {name}_color(position: vec2f, dpdx: vec2f, dpdy: vec2f{given}, image: texture_2d<f32>, image_sampler: sampler, \
          shares: texture_2d<f32>{tables}, shares_sampler: sampler{parameters}) -> {color_type} {{
 {body}}}

@@ -1,6 +1,6 @@
 //! The tabulated driver: an image whose moments over a footprint are read from a pyramid.
 
-use super::taps::{Pixel, Reader, Taps};
+use super::taps::{Pixel, Reader, Taps, SAMPLER};
 use super::Called;
 
 /// A driver that reads mean and deviation over the pixel's footprint from a
@@ -117,7 +117,7 @@ pub(crate) fn glue(called: &Called<'_>, moments: &Moments) -> String {
         "/// Mean color of `{name}` over a pixel's footprint on an image, by {points}.
 ///
 /// `position` is in texture coordinates, `dpdx` and `dpdy` are its screen derivatives; `moments` is the image's
-/// pyramid of {of}, read at texel centers: its sampler may be of any kind.{said}
+/// pyramid of {of}, read at texel centers: {SAMPLER}{said}
 fn {name}_color(position: vec2f, dpdx: vec2f, dpdy: vec2f{given}, moments: texture_2d<f32>, moments_sampler: \
          sampler{tables}{parameters}) -> {color_type} {{
 {body}}}

@@ -1,6 +1,6 @@
 //! The tabulated driver of slopes: a map whose slopes' moments over a footprint are read from a pyramid.
 
-use super::taps::{Pixel, Reader, Taps};
+use super::taps::{Pixel, Reader, Taps, SAMPLER};
 use super::Called;
 
 /// A driver that reads mean and covariance of slopes over the pixel's footprint from a
@@ -71,8 +71,8 @@ pub(crate) fn glue(called: &Called<'_>, moments: &SlopeMoments) -> String {
         "/// The mean of `{name}_{function}` over a pixel's footprint on a map of slopes, by {points}.
 ///
 /// `position` is in texture coordinates, `dpdx` and `dpdy` are its screen derivatives; `slopes` and `slopes_cross` are
-/// the pyramid of the map's mean slope and covariance, read at texel centers: their sampler may be of any kind. Slopes
-/// are along the columns and down the rows of the map.
+/// the pyramid of the map's mean slope and covariance, read at texel centers: {SAMPLER}
+/// Slopes are along the columns and down the rows of the map.
 fn {name}_color(position: vec2f, dpdx: vec2f, dpdy: vec2f{given}, slopes: texture_2d<f32>, slopes_cross: \
          texture_2d<f32>, slopes_sampler: sampler{parameters}) -> {color_type} {{
 {body}}}

@@ -2,6 +2,10 @@
 
 use crate::Error;
 
+/// What exports say of the samplers of pyramids, behind the end of a sentence's first half.
+pub(super) const SAMPLER: &str = "a sampler
+/// has the address mode of the pyramid's `Edge`, and where texels have 32 bits a channel it is a nearest one.";
+
 /// How many points of a footprint are evaluated: along its major axis, four and eight of them in two rows where it is
 /// about round.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]

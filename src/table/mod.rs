@@ -68,7 +68,8 @@ impl Format {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Sampling {
-    /// Single texels: nothing is interpolated. An export that takes a sampler too takes any; a nearest one does.
+    /// Single texels: nothing is interpolated. An export that takes a sampler too reads at texel centers: by a nearest
+    /// one that does not filter, or of 16-bit formats by any, with the address mode of what the levels continue as.
     Loaded,
     /// Interpolated by a linear sampler that clamps at the edges; the export takes it behind the texture.
     Filtered,

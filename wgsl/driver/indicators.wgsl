@@ -6,7 +6,8 @@
 // are mixed so that the variance is the footprint's. Footprints of less than level 0's kernel see f as a plane.
 //
 // Positions are texture coordinates, covariances (xx, xy, yy) in texels² of level 0. Texels are read at their centers:
-// any address mode works, and a nearest sampler reads the same as a filtering one.
+// the address mode says how the image goes on, and a nearest sampler reads the same as a filtering one, which texels of
+// 32 bits a channel may not have in WebGPU and WebGL2.
 
 /// Variance of the kernel that reading a level bilinearly applies, in texels² of level 0.
 ///

@@ -8,7 +8,8 @@
 // combine by the law of total variance: the mean of the variances and the variance of the means.
 //
 // Positions are texture coordinates, covariances (xx, xy, yy) in texels² of level 0. Texels are read at their centers:
-// any address mode works, and a nearest sampler reads the same as a filtering one.
+// the address mode says how the image goes on, and a nearest sampler reads the same as a filtering one, which texels of
+// 32 bits a channel may not have in WebGPU and WebGL2.
 
 /// The four texels around a position: (x, y), (x + 1, y), (x, y + 1), (x + 1, y + 1).
 struct moments_cell {
