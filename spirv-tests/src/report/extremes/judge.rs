@@ -76,7 +76,8 @@ impl Compiled {
 
     /// The truths and promises of points, those kept or else made on all processors.
     fn truths(&self, cache: &Cache, points: &[Point]) -> Result<Vec<f32>, String> {
-        let said = format!("{} {:?} {points:?}", self.subject.filter.name(), self.map);
+        // What is promised to its last bit: it is kept beside the truths.
+        let said = format!("{} {:?} {:?} {points:?}", self.subject.filter.name(), self.map, self.promised);
         let inputs = [&PROGRAM[..], &[self.module.explain(), &said]].concat();
         let threads = std::thread::available_parallelism().map_or(1, usize::from);
         let share = points.len().div_ceil(threads).max(1);
