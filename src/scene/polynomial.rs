@@ -185,7 +185,9 @@ mod tests {
         for _ in 0..40 {
             stack = mask * a + (1.0 - mask) * stack;
         }
-        assert!(found(stack, [0.0, 0.01, 0.01]) >= 0.01);
+        // Apart, the errors of all products of the mask add up: many times the 0.01 that any point moves by.
+        let apart = found(stack, [0.0, 0.01, 0.01]);
+        assert!((0.01..1.0).contains(&apart), "{apart}");
         Ok(())
     }
 
