@@ -19,8 +19,9 @@ const LARGEST: f32 = crate::transfer::color_map::MAX_COLOR;
 /// * A component of the slope that deviates more counts as drawn together about the middle of the map until it
 ///   deviates by the largest: the shares to either side of that middle stay. The share beyond an edge at t is off by up
 ///   to 0.61 |t − middle| over the largest deviation, for views above the horizon.
-/// * Λ of view and light together count as 1e4 where more hides a height from the closed forms, and as 1e6 where it
-///   hides one from other tiers.
+/// * Λ of view and light together count as 1e4 where more hides a height and skewed heights stand for those in sight,
+///   in closed form or in a table; as 255.75 where a table has heights by a curve; and as 1e6 by one normal
+///   distribution, by the paper's, and where bands or percentiles are colored.
 /// * Below the least deviation that [`Module::explain`](crate::Module::explain) states of heights and of components of
 ///   slopes, colors are those of means within 7e-6 of the largest mean.
 ///
@@ -141,7 +142,7 @@ impl Accuracy {
         if self.max_filter_error > 0.0 && self.max_filter_error.is_finite() {
             return Ok(());
         }
-        Err(Error::value("the largest filter error", self.max_filter_error, "a positive number"))
+        Err(Error::value("the largest filter error", self.max_filter_error, "a finite number above 0"))
     }
 }
 

@@ -122,7 +122,8 @@ fn scenes_that_cannot_be_are_refused() -> Outcome {
     assert!(matches!(Scene::new("empty").module(), Err(Error::Conflict(_))));
     for error in [0.0, -1.0, f32::NAN, f32::INFINITY] {
         let refused = scene("judged")?.accuracy(Accuracy::max_filter_error(error)).module();
-        assert!(matches!(refused, Err(Error::Value { .. })), "{error}");
+        let Err(refused @ Error::Value { .. }) = refused else { return Err(format!("{error} is accepted").into()) };
+        assert!(refused.to_string().ends_with("allowed is a finite number above 0"), "{refused}");
     }
     for (mean, deviation) in [
         ((0.0, 0.0), 0.5),

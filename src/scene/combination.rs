@@ -94,7 +94,9 @@ impl Combination {
     /// # Errors
     /// A layer without a color map, or whose map has no such channel.
     pub fn channel(layer: &Scene, channel: usize) -> Result<Self, Error> {
-        let count = layer.channels().unwrap_or(0);
+        let Some(count) = layer.channels() else {
+            return Err(Error::Conflict(format!("`{}` has no color map, whose channel could be a weight", layer.name)));
+        };
         if channel < count {
             return Ok(Self(Expression::Channel(Box::new(layer.clone()), channel)));
         }

@@ -111,6 +111,7 @@ fn refuses_what_is_no_joint_map() -> Outcome {
     let map = JointMap::new([0.0, 1.0], [0.0, 1.0], gray)?;
     assert!(map.errors()[0] < 1e-6 && map.combination("gray", 0).is_err() && map.combination("gray", 5).is_err());
     assert!(Scene::new("peak").combination(map.combination("gray", 1)?).module().is_ok());
-    assert!(Combination::channel(&Scene::new("bare"), 0).is_err());
+    let bare = Combination::channel(&Scene::new("bare"), 0);
+    assert!(bare.is_err_and(|error| error.to_string() == "`bare` has no color map, whose channel could be a weight"));
     Ok(())
 }
