@@ -127,3 +127,12 @@ fn flat_maps_of_steepness_are_exact() -> Outcome {
     }
     Ok(())
 }
+
+/// What the README says of the default tier.
+#[test]
+fn the_readme_quotes_the_cost() -> Outcome {
+    let cost = Scene::new("quoting").steepness(named("terrain")?).module()?.cost();
+    let said = format!("takes one fetch of {} KiB and {} operations", cost.table_bytes / 1024, cost.operations);
+    assert!(cost.fetches == 1 && include_str!("../../../README.md").contains(&said), "the README lacks: {said}");
+    Ok(())
+}
