@@ -196,8 +196,9 @@ impl Scene {
         Self { irradiance_tier: Some(tier), ..self }
     }
 
-    /// The largest filter error; the cheapest tier whose bound keeps it is chosen. Default: 1/255, and for heights,
-    /// slopes and Beta distributions the closest tier where none keeps that.
+    /// The largest filter error; the cheapest tier whose bound keeps it is chosen. Default: 1/255, and where no tier
+    /// keeps that, but for values of normal distributions, the lightest whose bound is within 1.1 times that of the
+    /// closest.
     #[must_use]
     pub fn accuracy(self, accuracy: Accuracy) -> Self {
         Self { accuracy: Some(accuracy), ..self }
@@ -258,6 +259,11 @@ impl Scene {
     /// keeps the accuracy.
     pub fn module(&self) -> Result<Module, Error> {
         name::check(&self.name)?;
+        self.generated()
+    }
+
+    /// The same, whatever the name: scenes within have one that nobody gave.
+    fn generated(&self) -> Result<Module, Error> {
         self.distribution.check()?;
         self.chosen_ranges().check()?;
         self.accuracy.map_or(Ok(()), |accuracy| accuracy.check())?;

@@ -63,6 +63,8 @@ pub(crate) struct Nodes {
     pub deviations: [f32; 2],
     /// The steep nodes of a table of what hides heights: their scales and weights alone, as their slopes have no mean.
     pub hiding: Option<usize>,
+    /// By which part of 1 + Λ the Λ of a level surface errs between texels.
+    pub lambda_error: f32,
 }
 
 /// The slices of the table of nodes.
@@ -196,9 +198,12 @@ impl Nodes {
         let signed = tilted && !curve.is_monotone();
         let count = tier.nodes();
         let nodes = slope_nodes::Nodes { curve, count, signed };
-        let table = if tilted { slope_nodes::table } else { steep_nodes::table };
-        let table = table(nodes, means, deviations, "nodes");
+        let bake = if tilted { slope_nodes::table } else { steep_nodes::table };
+        let table = bake(nodes, means, deviations, "nodes");
         let hiding = (!tilted).then(|| nodes.steep());
-        Self { table, means: [low, high, columns as f32], deviations: [deviation, rows as f32], hiding }
+        let all = || steep_nodes::hiding_error(nodes, means, deviations, &table);
+        let lambda_error = if tilted { all() } else { table.error };
+        let (means, deviations) = ([low, high, columns as f32], [deviation, rows as f32]);
+        Self { table, means, deviations, hiding, lambda_error }
     }
 }

@@ -110,7 +110,7 @@ impl Scene {
     pub(super) fn explain_transferred(
         &self,
         stage: &Stage,
-        narrow: f32,
+        (narrow, moved): (f32, Option<f32>),
         [bound, cost]: [&str; 2],
         heights: &str,
     ) -> String {
@@ -127,8 +127,11 @@ impl Scene {
                 text,
                 "  covers  f of means {low} to {high} and deviations from {narrow:.1e} to {deviation}{hidden}"
             );
-            let what = match nodes.hiding {
-                Some(_) => format!("Λ errs by {error:.1e} of 1 + Λ"),
+            let what = match moved {
+                Some(moved) => {
+                    let hiding = nodes.lambda_error;
+                    format!("Λ errs by {hiding:.1e} of 1 + Λ, which moves a color by up to {moved:.1e}")
+                }
                 None => format!("a step of slopes errs by {error:.1e} of the mixture's"),
             };
             let _ = writeln!(text, "  nodes   read between texels, {what}");
@@ -137,7 +140,14 @@ impl Scene {
             let _ = writeln!(text, "  moments of h from the table `{name}`, within {error:.1e} of half their ranges");
         }
         let _ = writeln!(text, "  cost    {cost} a call");
-        let tier = if *tier == TransferTier::Paper { PAPER } else { "" };
+        let tilted = moved.is_some() && self.microsurface.mean_slope;
+        let tier = if *tier == TransferTier::Paper {
+            PAPER
+        } else if tilted {
+            LEANING
+        } else {
+            ""
+        };
         let gap = self.driver.as_ref().map_or(String::new(), |driver| format!(";\n    {}", driver.gap(true)));
         let _ = writeln!(text, "  not in the error: {NORMAL}{tier}{gap}");
         text + heights
@@ -228,6 +238,9 @@ const NORMAL: &str = "how far f and its slopes are from normal and from independ
 const PAPER: &str = ";
     how far h and its slopes are from normal: steps of slopes err by up to 0.2 where the curve is a smooth
     step over two deviations of f, and by 0.4 where f rises into it";
+
+/// What a mean slope leaves out besides.
+const LEANING: &str = ";\n    how much more Λ errs over a tilted surface than over a level one";
 
 /// What the bound of a filter without a driver does not cover.
 const UNDRIVEN: &str = "how far a pixel's values are from";

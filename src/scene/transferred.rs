@@ -5,7 +5,7 @@ use super::stage::{Moments, Stage};
 use super::Scene;
 use crate::accuracy::{Accuracy, Bound, Ranges};
 use crate::driver::transfer;
-use crate::filter::height::transferred::{self, Transferred};
+use crate::filter::height::transferred;
 use crate::filter::height_transfer::{Nodes, TransferTier};
 use crate::module::Module;
 use crate::table::Table;
@@ -27,6 +27,8 @@ struct Exports {
     explanation: String,
     /// The deviation of f from which on bounds hold.
     narrow: f32,
+    /// What errors of Λ move colors of heights by.
+    moved: Option<f32>,
 }
 
 /// The steepest slope that a table of halves holds.
@@ -140,7 +142,7 @@ impl Scene {
 
     fn transferred_by(&self, curve: &HeightTransfer, tier: TransferTier) -> Result<Module, Error> {
         let stage = self.stage(curve, tier)?;
-        let Exports { mut glue, behind, mut tables, mut turns, bound, foreign, explanation, narrow } =
+        let Exports { mut glue, behind, mut tables, mut turns, bound, foreign, explanation, narrow, moved } =
             match (&stage.nodes, &self.height) {
                 (Some(nodes), Some(map)) => self.of_nodes(map, curve, &stage, nodes)?,
                 _ => self.around(&stage)?,
@@ -164,7 +166,7 @@ impl Scene {
         let linked = self.linked(&format!("{glue}{foreign}"))?;
         let cost = cost(&linked, &exports, &tables, &turns);
         let explanation =
-            self.explain_transferred(&stage, narrow, [&bound.to_string(), &cost.to_string()], &explanation);
+            self.explain_transferred(&stage, (narrow, moved), [&bound.to_string(), &cost.to_string()], &explanation);
         Ok(Module { name: self.name.clone(), exports, glue, foreign, linked, tables, explanation, bound, turns, cost })
     }
 
@@ -218,20 +220,20 @@ impl Scene {
         self.check_heights()?;
         let (name, surface) = (&self.name, self.microsurface);
         let heights = format!("{name}_narrow(mean, deviation{})", arguments(&stage.moments.tables));
-        let Transferred { filter, level, narrow } =
-            transferred::transferred(name, map, self.colors, curve, surface, &heights)?;
+        let found = transferred::transferred(name, map, self.colors, curve, surface, nodes, &heights)?;
         let own = parameters(std::slice::from_ref(&nodes.table));
-        let all = parameters(&filter.tables) + &parameters(&stage.moments.tables) + &own;
+        let all = parameters(&found.filter.tables) + &parameters(&stage.moments.tables) + &own;
         let hiding = if surface.mean_slope { String::new() } else { nodes.lambda(name) };
         Ok(Exports {
-            glue: transferred::glue(name, map, surface, nodes, &filter.body, [&all, &own]),
-            behind: transfer::narrow(name, curve) + &level + &hiding,
-            tables: filter.tables,
-            turns: self.turns(filter.trips),
-            bound: filter.bound,
+            glue: transferred::glue(name, map, surface, nodes, &found.filter.body, [&all, &own]),
+            behind: transfer::narrow(name, curve) + &found.level + &hiding,
+            tables: found.filter.tables,
+            turns: self.turns(found.filter.trips),
+            bound: found.filter.bound,
             foreign: String::new(),
             explanation: String::new(),
-            narrow,
+            narrow: found.narrow,
+            moved: Some(found.moved),
         })
     }
 
@@ -258,7 +260,7 @@ impl Scene {
         let name = format!("{}_heights", self.name);
         let heights = Self { name, transfer: None, transfer_tier: None, driver: None, ..self.clone() };
         let nodes = stage.nodes.as_ref().map_or(0.0, |nodes| nodes.table.part() * self.varied());
-        let heights = heights.within(nodes)?.module().map_err(|error| match error {
+        let heights = heights.within(nodes)?.generated().map_err(|error| match error {
             Error::Accuracy { scene, asked, closest, bound } => {
                 Error::Accuracy { scene, asked: asked + nodes, closest, bound: bound + nodes }
             }
@@ -292,6 +294,7 @@ impl Scene {
             foreign: heights.foreign,
             explanation: heights.explanation,
             narrow,
+            moved: None,
         })
     }
 }

@@ -5,7 +5,7 @@ use super::lattice::{half_rounded, rows, Lattice};
 use super::normal;
 use super::rule::rule;
 use super::slope_nodes::{ends, Nodes, LEVEL};
-use super::Table;
+use super::{Level, Table};
 
 /// The most nodes that one texel holds with their weights.
 pub(crate) const TOGETHER: usize = 2;
@@ -75,6 +75,14 @@ pub(crate) fn table(nodes: Nodes<'_>, means: Axis, deviations: Axis, name: &str)
     lattice.table(name, texels, error)
 }
 
+/// The error of the Λ of a level surface by a table of all that is known of nodes, whose first two slices are scales
+/// and weights: as that of [`table`].
+pub(crate) fn hiding_error(nodes: Nodes<'_>, means: Axis, deviations: Axis, table: &Table) -> f32 {
+    let Level { depth, texels, .. } = &table.levels[0];
+    let third = Axis { low: 0.0, high: f64::from(depth - 1), count: *depth as usize, spacing: Spacing::Linear };
+    error(nodes, Lattice([means, deviations, third]), texels)
+}
+
 /// The largest difference between the texels.
 fn error(nodes: Nodes<'_>, lattice: Lattice, texels: &[f32]) -> f32 {
     let Lattice([means, deviations, third]) = lattice;
@@ -89,7 +97,7 @@ fn error(nodes: Nodes<'_>, lattice: Lattice, texels: &[f32]) -> f32 {
             let [first, second] = [read(0.0), read(1.0)];
             let read: Vec<(f64, f64)> = match third.count {
                 1 => vec![(first[0], first[2]), (first[1], first[3])],
-                _ => first.into_iter().zip(second).collect(),
+                _ => first.into_iter().map(f64::abs).zip(second).collect(),
             };
             let surface = nodes.between(ends(), mean, lines[line]);
             let parts: Vec<(f64, f64)> = surface.parts.iter().map(|part| (part.scale.abs(), part.share)).collect();

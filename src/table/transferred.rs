@@ -1,5 +1,7 @@
 //! Tables of a map's means over the visible heights h = g(f) of a curve g, by mean and deviation of f.
 
+use std::f64::consts::LN_2;
+
 use super::balanced::{balance, Nodes};
 use super::grid::{Axis, Spacing};
 use super::hiding::Hiding;
@@ -31,6 +33,24 @@ pub(crate) const HIDING: Axis = Axis { low: 0.0, high: 10.0, count: 16, spacing:
 
 /// What Λ is multiplied by there.
 pub(crate) const DENSER: f64 = 4.0;
+
+/// What errors of Λ move a color by, where the Λ of so many directions each err by a part of 1 + Λ: the largest change
+/// of a table's texels from slice to slice, times the slices that their sum is off by.
+///
+/// Between slices a color that is read is even. Where the sum moves by δ, log₂(1 + 4Λ) moves by 4 δ/(1 + 4Λ) over ln 2,
+/// which is most on the first of two slices.
+pub(crate) fn moved(table: &Table, error: f64, directions: f64) -> f64 {
+    let texels = &table.levels[0].texels;
+    let slice = texels.len() / HIDING.count;
+    let steps = (0..SLICES - 1).map(|number| {
+        let [near, far] = [number, number + 1].map(|number| &texels[number * slice..(number + 1) * slice]);
+        let change = near.iter().zip(far).map(|(near, far)| f64::from((near - far).abs())).fold(0.0, f64::max);
+        let lambda = lambda(number as f64);
+        let slices = (HIDING.number(1.0) - HIDING.number(0.0)) * DENSER / (1.0 + DENSER * lambda) / LN_2;
+        change * slices * error * (directions + lambda)
+    });
+    steps.fold(0.0, f64::max)
+}
 
 /// The largest such sum for which the error is measured, and the slices up to there. Beyond, rows err: what is visible
 /// is narrower than it moves between two of them.

@@ -87,6 +87,38 @@ fn what_has_no_meaning_is_refused() -> Outcome {
     Ok(())
 }
 
+/// Errors of Λ between the texels of nodes move colors: the bound falls as they do.
+#[test]
+fn bounds_of_heights_count_what_hides_them() -> Outcome {
+    let tilted = Microsurface { mean_slope: true, ..Microsurface::default() };
+    for surface in [Microsurface::default(), tilted] {
+        let bound = |tier| -> Result<f32, prefilter::Error> {
+            Ok(moss()?.microsurface(surface).transfer_tier(tier).module()?.bound().value())
+        };
+        let [two, three, four] = [TransferTier::TwoNodes, TransferTier::ThreeNodes, TransferTier::FourNodes].map(bound);
+        let [two, three, four] = [two?, three?, four?];
+        println!("{two:.2e}, {three:.2e}, {four:.2e}");
+        assert!(two > 1.01 * three && three > 1.001 * four, "{two}, {three}, {four}");
+    }
+    Ok(())
+}
+
+/// A name is refused for what it is, not for what is put behind it.
+#[test]
+fn long_names_are_names() -> Outcome {
+    let map = ColorMap::gradient([(0.0, [0.1; 3]), (1.0, [0.9; 3])])?;
+    let named = |letters: usize| {
+        let scene = Scene::new(&"a".repeat(letters)).slope(map.clone()).transfer(HeightTransfer::absolute());
+        scene.transfer_tier(TransferTier::Paper).module()
+    };
+    for letters in [1, 93, 94, 100] {
+        let module = named(letters)?;
+        module.link(&module.probe(prefilter::Stage::Compute))?;
+    }
+    assert!(matches!(named(101), Err(prefilter::Error::Name { name, .. }) if name.len() == 101));
+    Ok(())
+}
+
 #[test]
 fn combinations_are_the_papers() -> Outcome {
     let map = ColorMap::gradient([(0.0, [0.1; 3]), (1.0, [0.9; 3])])?;

@@ -14,7 +14,7 @@ use crate::filter::height_transfer::{self, Nodes};
 use crate::filter::shared::statements;
 use crate::filter::texture::{color_type, number, swizzle, Filter};
 use crate::table::grid::{Axis, Spacing};
-use crate::table::transferred::{Plan, DENSER, HIDING};
+use crate::table::transferred::{moved, Plan, DENSER, HIDING};
 use crate::transfer::color_map::{ColorMap, Colors, MAX_COLOR};
 use crate::transfer::height_transfer::HeightTransfer;
 use crate::Error;
@@ -35,6 +35,8 @@ pub(crate) struct Transferred {
     pub level: String,
     /// The deviation of f from which on nothing but the table is read.
     pub narrow: f32,
+    /// The largest difference of two colors that errors of Λ between the texels of nodes make.
+    pub moved: f32,
 }
 
 /// The filter of a map; `narrow_heights` is the expression of mean and deviation of h over narrow footprints.
@@ -47,6 +49,7 @@ pub(crate) fn transferred(
     colors: Colors,
     curve: &HeightTransfer,
     surface: Microsurface,
+    nodes: &Nodes,
     narrow_heights: &str,
 ) -> Result<Transferred, Error> {
     let ranges = Ranges::of_transfer(curve);
@@ -94,10 +97,11 @@ fn {name}_level(mean: f32, deviation: f32, {}{parameters}) -> {color} {{
         given[1], near.body
     );
     let step = step_error(HeightTier::Skewed, surface, tier::rounded(HeightTier::Skewed, ranges));
-    let bound = 2.0 * f64::from(table.error) + step * variation(map);
+    let moved = moved(&table, nodes.lambda_error.into(), if surface.shadowing { 2.0 } else { 1.0 });
+    let bound = 2.0 * (f64::from(table.error) + moved) + step * variation(map);
     let tables = near.tables.into_iter().chain([table]).collect();
     let filter = Filter { body, bound: Bound::Estimated(bound as f32), tables, trips: near.trips };
-    Ok(Transferred { filter, level, narrow: 2.0 * narrow as f32 })
+    Ok(Transferred { filter, level, narrow: 2.0 * narrow as f32, moved: moved as f32 })
 }
 
 /// The ranges of a map, and of heights between two.
