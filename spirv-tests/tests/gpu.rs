@@ -100,6 +100,21 @@ fn samples_every_format_between_texels_levels_and_beyond_the_edge() {
     }
 }
 
+/// Numbers from 0 to 1 become the nearest of 1024, what lies beyond its end.
+#[test]
+fn samples_parts_in_ten_bits() {
+    let device = device();
+    let texels = vec![0.25, 0.5, 1.0, 1.0, 0.75, 0.5, 0.0, 0.0, 2.0, 0.5, 0.0, 0.0, -1.0, 0.5, 0.0, 0.0];
+    let level = Level { width: 4, height: 1, depth: 1, texels };
+    let table = table(Format::Rgb10a2Unorm, Sampling::Filtered, vec![level]);
+    assert_eq!((table.bytes(), Format::Rgb10a2Unorm.encode(&[0.25, 0.5, 1.0, 1.0])), (16, vec![0, 1, 248, 255]));
+    let texture = device.upload(&table, Address::Clamp).unwrap();
+    let values = sample(&device, &texture, &[0.125, 0.0, 0.375, 0.0, 0.25, 0.0, 0.625, 0.0, 0.875, 0.0]);
+    for (value, parts) in values.iter().zip([256.0, 767.0, 511.5, 1023.0, 0.0]) {
+        assert!((value - parts / 1023.0).abs() < 1e-5, "{value} for {parts} of 1023");
+    }
+}
+
 /// Slices lie on centers along the depth as texels do along a row.
 #[test]
 fn samples_between_the_slices_of_a_volume() {

@@ -81,10 +81,10 @@ impl FourMomentMipmap {
     /// number, which [`Table::error`] states of mean and deviation; larger kurtoses than 65504 are stored as that.
     ///
     /// # Errors
-    /// [`Error::Conflict`] for a format of two channels, [`Error::Value`] where a value does not fit 16 bits.
+    /// [`Error::Conflict`] for a format without four floats, [`Error::Value`] where a value does not fit 16 bits.
     pub fn table(&self, name: &str, format: Format) -> Result<Table, Error> {
-        if format.channels() != 4 {
-            let message = format!("the table `{name}` of four moments has four channels, {format:?} two");
+        if !matches!(format, Format::Rgba32Float | Format::Rgba16Float) {
+            let message = format!("the table `{name}` of four moments has four floats a texel, {format:?} has not");
             return Err(Error::Conflict(message));
         }
         let halves = format == Format::Rgba16Float;

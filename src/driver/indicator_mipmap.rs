@@ -66,10 +66,10 @@ impl IndicatorMipmap {
     /// [`Format::Rgba32Float`]. The image is [`Format::Rg32Float`].
     ///
     /// # Errors
-    /// [`Error::Conflict`] for a format of two channels.
+    /// [`Error::Conflict`] for a format without four floats.
     pub fn tables(&self, format: Format) -> Result<Vec<Table>, Error> {
-        if format.channels() != 4 {
-            let message = format!("the table `shares` of bands has four channels, {format:?} two");
+        if !matches!(format, Format::Rgba32Float | Format::Rgba16Float) {
+            let message = format!("the table `shares` of bands has four floats a texel, {format:?} has not");
             return Err(Error::Conflict(message));
         }
         let table = |name: &str, format: Format, levels: Vec<Level>, error: f32| Table {

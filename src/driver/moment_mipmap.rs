@@ -114,8 +114,11 @@ impl MomentMipmap {
     /// range. The shelf reads texels at their centers, so that no format needs to be filterable.
     ///
     /// # Errors
-    /// [`Error::Value`] where a value does not fit 16 bits.
+    /// [`Error::Conflict`] for [`Format::Rgb10a2Unorm`], [`Error::Value`] where a value does not fit 16 bits.
     pub fn table(&self, name: &str, format: Format) -> Result<Table, Error> {
+        if format == Format::Rgb10a2Unorm {
+            return Err(Error::Conflict(format!("the table `{name}` of moments has floats, {format:?} has none")));
+        }
         let halves = matches!(format, Format::Rg16Float | Format::Rgba16Float);
         let largest = self.values.0.abs().max(self.values.1.abs());
         if halves && largest > half::f16::MAX.to_f32() {

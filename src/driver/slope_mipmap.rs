@@ -144,13 +144,13 @@ impl SlopeMipmap {
     /// shelf's `slope_moments_read` reads texels at their centers: factors, unlike means, do not interpolate.
     ///
     /// # Errors
-    /// [`Error::Conflict`] for a format of two channels, [`Error::Value`] where a number does not fit 16 bits.
+    /// [`Error::Conflict`] for a format without four floats, [`Error::Value`] where a number does not fit 16 bits.
     pub fn tables(&self, name: &str, format: Format) -> Result<[Table; 2], Error> {
         let (cross, halves) = match format {
             Format::Rgba32Float => (Format::Rg32Float, false),
             Format::Rgba16Float => (Format::Rg16Float, true),
-            Format::Rg32Float | Format::Rg16Float => {
-                let message = format!("the table `{name}` of slopes has four channels, {format:?} two");
+            Format::Rg32Float | Format::Rg16Float | Format::Rgb10a2Unorm => {
+                let message = format!("the table `{name}` of slopes has four floats a texel, {format:?} has not");
                 return Err(Error::Conflict(message));
             }
         };

@@ -127,15 +127,15 @@ impl MomentPass {
     /// shelf.
     ///
     /// # Errors
-    /// [`Error::Conflict`] for [`Format::Rg16Float`].
+    /// [`Error::Conflict`] for [`Format::Rg16Float`] and [`Format::Rgb10a2Unorm`].
     pub fn shader(edge: Edge, format: Format) -> Result<Shader, Error> {
         let (level, exact) = match format {
             Format::Rg32Float => ("rg32float", "rg32float"),
             Format::Rgba32Float => ("rgba32float", "rgba32float"),
             Format::Rgba16Float => ("rgba16float", "rgba32float"),
-            Format::Rg16Float => {
-                let message = "a pass stores moments as Rg32Float, Rgba32Float or Rgba16Float, not as Rg16Float";
-                return Err(Error::Conflict(message.to_owned()));
+            Format::Rg16Float | Format::Rgb10a2Unorm => {
+                let message = "a pass stores moments as Rg32Float, Rgba32Float or Rgba16Float, not as";
+                return Err(Error::Conflict(format!("{message} {format:?}")));
             }
         };
         let repeats = if edge == Edge::Repeat { "true" } else { "false" };

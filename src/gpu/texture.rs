@@ -147,6 +147,7 @@ pub(super) fn format(format: Format) -> wgpu::TextureFormat {
         Format::Rgba16Float => wgpu::TextureFormat::Rgba16Float,
         Format::Rg32Float => wgpu::TextureFormat::Rg32Float,
         Format::Rg16Float => wgpu::TextureFormat::Rg16Float,
+        Format::Rgb10a2Unorm => wgpu::TextureFormat::Rgb10a2Unorm,
     }
 }
 

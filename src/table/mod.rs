@@ -33,13 +33,15 @@ pub enum Format {
     Rg32Float,
     /// Two 16-bit floats; filterable everywhere.
     Rg16Float,
+    /// Three numbers from 0 to 1 in ten bits and one in two; filterable everywhere.
+    Rgb10a2Unorm,
 }
 
 impl Format {
     /// Channels a texel.
     pub fn channels(self) -> usize {
         match self {
-            Self::Rgba32Float | Self::Rgba16Float => 4,
+            Self::Rgba32Float | Self::Rgba16Float | Self::Rgb10a2Unorm => 4,
             Self::Rg32Float | Self::Rg16Float => 2,
         }
     }
@@ -49,19 +51,28 @@ impl Format {
         match self {
             Self::Rgba32Float => 16,
             Self::Rgba16Float | Self::Rg32Float => 8,
-            Self::Rg16Float => 4,
+            Self::Rg16Float | Self::Rgb10a2Unorm => 4,
         }
     }
 
-    /// The bytes that a texture of this format is filled with, little-endian; halves are rounded to nearest.
+    /// The bytes that a texture of this format is filled with, little-endian: rounded to the nearest of those that it
+    /// holds.
     pub fn encode(self, values: &[f32]) -> Vec<u8> {
         match self {
             Self::Rgba32Float | Self::Rg32Float => values.iter().flat_map(|value| value.to_le_bytes()).collect(),
             Self::Rgba16Float | Self::Rg16Float => {
                 values.iter().flat_map(|&value| half::f16::from_f32(value).to_le_bytes()).collect()
             }
+            Self::Rgb10a2Unorm => values.chunks_exact(4).flat_map(|texel| packed(texel).to_le_bytes()).collect(),
         }
     }
+}
+
+/// Three numbers of ten bits and one of two, from the lowest bits up.
+fn packed(texel: &[f32]) -> u32 {
+    let bits =
+        |(&value, [most, shift]): (&f32, [u32; 2])| ((value.clamp(0.0, 1.0) * most as f32).round() as u32) << shift;
+    texel.iter().zip([[1023, 0], [1023, 10], [1023, 20], [3, 30]]).map(bits).sum()
 }
 
 /// How a module reads a table, and so what its exports take.
@@ -108,7 +119,7 @@ pub struct Table {
     pub sampling: Sampling,
     /// The mip levels, the largest first.
     pub levels: Vec<Level>,
-    /// The largest error that reading between texels was measured to add, in the units of the channels.
+    /// The largest error that reading between texels was measured to add to a result, in its units.
     pub error: f32,
 }
 
