@@ -239,7 +239,7 @@ impl Scene {
     /// The ranges that bounds hold over: those of the distribution, those given, or else those of the map.
     pub fn chosen_ranges(&self) -> Ranges {
         let own = match (&self.slope_map, &self.irradiance) {
-            (Some(_), _) => filter::slope_map::RANGES,
+            (Some(_), _) => filter::slope_map::atlas::RANGES,
             (None, Some(_)) => filter::irradiance::RANGES,
             (None, None) => Ranges::default(),
         };

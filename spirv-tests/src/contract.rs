@@ -100,7 +100,7 @@ fn paragraph(documentation: &str, label: &str) -> Option<String> {
 }
 
 /// The parts between commas outside brackets.
-fn parts(text: &str) -> Vec<&str> {
+pub(crate) fn parts(text: &str) -> Vec<&str> {
     let mut depth = 0;
     let split = text.split(move |mark| {
         depth += match mark {

@@ -3,6 +3,7 @@
 //! Such a parameter stands for the maker's, with the maker's ranges: the kernel calls the maker, and the reference
 //! takes the maker's numbers. Members that only make sense together need no ranges of their own.
 
+use crate::contract::parts;
 use crate::kernel::Function;
 use crate::signature::Shape;
 
@@ -29,9 +30,9 @@ impl Function {
                 }
                 _ => return Err(fail("the parameter is not the structure that it makes")),
             }
-            let ranges: Vec<String> =
-                domain.split_inclusive("], ").map(|range| format!("{name}.{}", range.trim_end_matches('.'))).collect();
-            self.documentation = self.documentation.replace(&format!("{name} from {maker}"), &ranges.concat());
+            let ranges = parts(domain.trim_end_matches('.')).into_iter().map(|range| format!("{name}.{range}"));
+            let ranges = ranges.collect::<Vec<_>>().join(", ");
+            self.documentation = self.documentation.replace(&format!("{name} from {maker}"), &ranges);
             self.needs(&maker);
         }
         Ok(self)

@@ -84,9 +84,10 @@ fn below(at: f64, deviation: f64) -> f64 {
     at * cumulative(at / deviation) + deviation * density(at / deviation)
 }
 
-/// Errors of steps, and twice those of kinks, of a sum of normal distributions of the deviation `part`: a weight on the
-/// mean and pairs of a place and a weight.
-fn errors(part: f64, middle: f64, pairs: &[[f64; 2]]) -> Vec<f64> {
+/// Errors of steps, and twice those of kinks, of a sum of normal distributions of the deviation `part`: pairs of a
+/// place and a weight, and one on the mean with the rest.
+fn errors(part: f64, pairs: [[f64; 2]; 3]) -> Vec<f64> {
+    let middle = 1.0 - 2.0 * pairs.iter().map(|pair| pair[1]).sum::<f64>();
     let sum = |of: &dyn Fn(f64) -> f64, at: f64| {
         pairs.iter().map(|[place, weight]| weight * (of(at - place) + of(at + place))).sum::<f64>() + middle * of(at)
     };
@@ -98,13 +99,5 @@ fn errors(part: f64, middle: f64, pairs: &[[f64; 2]]) -> Vec<f64> {
 /// Three pairs about one on the mean, as [`nearest`], but with the least sum of eighth powers of the errors of steps
 /// and of twice those of kinks, in deviations of the whole.
 pub fn seven(part: f64, from: [f64; 6]) -> [f64; 6] {
-    least(from, |[p, q, r, a, b, c]| errors(part, 1.0 - 2.0 * (a + b + c), &[[p, a], [q, b], [r, c]]))
-}
-
-/// Three pairs alone: their places and weights, the last of which is what the others leave.
-pub fn six(part: f64, from: [f64; 6]) -> [f64; 6] {
-    let [p, q, r, a, b, _] = from;
-    let found = least([p, q, r, a, b], |[p, q, r, a, b]| errors(part, 0.0, &[[p, a], [q, b], [r, 0.5 - a - b]]));
-    let [p, q, r, a, b] = found;
-    [p, q, r, a, b, 0.5 - a - b]
+    least(from, |[p, q, r, a, b, c]| errors(part, [[p, a], [q, b], [r, c]]))
 }

@@ -4,23 +4,26 @@ use super::candidate::{parameters, Candidate, Over, Text};
 use super::sizes::of_texels;
 use super::Scene;
 use crate::filter::slope::SlopeTier;
-use crate::filter::slope_map::{body, edge_error, floor, given, glue, over, Atlas, SlopeTaps, NODES, SIZES};
+use crate::filter::slope_map::atlas::{floor, Atlas, NODES, SIZES};
+use crate::filter::slope_map::{body, edge_error, given, glue, over, SlopeTaps};
 use crate::filter::texture::color_type;
 use crate::transfer::color_map::ColorMap;
 use crate::transfer::slope_map::SlopeMap;
 use crate::Error;
 
 /// Tiers and reads from which an accuracy chooses: five reads are lost on one normal distribution, and three are too
-/// few for each of two where slopes vary twice as much across the view as along it. Seven and five lose nothing there.
-const CHOICES: [(SlopeTier, SlopeTaps); 4] = [
+/// few for each of two where slopes vary twice as much across the view as along it. Seven lose nothing there, and nine
+/// little where they vary four times as much.
+const CHOICES: [(SlopeTier, SlopeTaps); 5] = [
     (SlopeTier::Gaussian, SlopeTaps::One),
     (SlopeTier::Gaussian, SlopeTaps::Three),
     (SlopeTier::Pair, SlopeTaps::Five),
+    (SlopeTier::Pair, SlopeTaps::Seven),
     CLOSEST,
 ];
 
 /// The closest of them, for whoever asks for no accuracy.
-const CLOSEST: (SlopeTier, SlopeTaps) = (SlopeTier::Pair, SlopeTaps::Seven);
+const CLOSEST: (SlopeTier, SlopeTaps) = (SlopeTier::Pair, SlopeTaps::Nine);
 
 /// Those from which it chooses where the scene names the other.
 const TIERS: [SlopeTier; 2] = [SlopeTier::Gaussian, SlopeTier::Pair];
@@ -31,7 +34,9 @@ impl Scene {
     /// sees, such as snow on one side, or a color for each aspect.
     ///
     /// Exports `NAME_slope_map(mean_slope, slope_covariance, view, table, table_sampler)`: reads from a volume of
-    /// 128 × 128 × 20 texels, 2.5 MiB, or of 64 × 64 × 20 or 32 × 32 × 20 where an accuracy asks for no more.
+    /// 128 × 128 × 20 texels, or of 64 × 64 × 20 or 32 × 32 × 20 where an accuracy asks for no more. It takes 1.25 MiB
+    /// where colors have three channels from 0 to 1, stored in ten bits each as parts of what the map spans, and 2.5
+    /// MiB in halves otherwise.
     /// [`SlopeTier`] says what stands for the visible slopes and [`Self::slope_taps`] how many reads for each normal
     /// distribution of those. The colors are, whichever [`Colors`](crate::Colors), in the table, which takes some
     /// hundredths of a second to bake.

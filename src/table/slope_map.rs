@@ -4,10 +4,12 @@
 //! Reading between nodes is a mean over them: it widens what is read. Nodes are over distributions that are narrower by
 //! as much as reads widen them, which leaves half of the largest error and less than that of a typical one.
 
+use std::ops::{Add, Mul, Sub};
+
 use super::grid::Axis;
 use super::hats::{of_colors, of_rows, Hats, Weights};
 use super::lattice::{half_rounded, rows, Lattice};
-use super::Table;
+use super::{Format, Table};
 use crate::reference::slope_map::Bilinear;
 
 /// A map, the axes of its table, and what the table is judged over.
@@ -23,6 +25,53 @@ pub(crate) struct Plan<'a> {
     pub farthest: f64,
     /// The deviation above which the colors change little from cell to cell.
     pub smooth: f64,
+    /// How texels are stored.
+    pub stored: Stored,
+}
+
+/// How the colors of a texel are stored.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Stored {
+    /// As four halves.
+    Halves,
+    /// Three channels as parts of the way from a lowest to a highest value, in ten bits each: half of the bytes. They
+    /// err by a 2046th of the way. The fourth is constant.
+    Parts { low: [f32; 4], high: [f32; 4] },
+}
+
+/// The steps of ten bits.
+const STEPS: f32 = 1023.0;
+
+impl Stored {
+    /// What is stored of a channel.
+    fn texel(self, value: f32, channel: usize) -> f32 {
+        match self {
+            Self::Halves => half_rounded(value.into()),
+            Self::Parts { low, high } if low[channel] < high[channel] => {
+                let part = (value - low[channel]) / (high[channel] - low[channel]);
+                (part * STEPS).round().clamp(0.0, STEPS) / STEPS
+            }
+            Self::Parts { .. } => 0.0,
+        }
+    }
+
+    /// The color that stands for what is read.
+    fn color<T: Copy + From<f32> + Add<Output = T> + Sub<Output = T> + Mul<Output = T>>(self, read: [T; 4]) -> [T; 4] {
+        match self {
+            Self::Halves => read,
+            Self::Parts { low, high } => std::array::from_fn(|channel| {
+                let [low, high] = [low, high].map(|end| T::from(end[channel]));
+                low + (high - low) * read[channel]
+            }),
+        }
+    }
+
+    fn format(self) -> Format {
+        match self {
+            Self::Halves => Format::Rgba16Float,
+            Self::Parts { .. } => Format::Rgb10a2Unorm,
+        }
+    }
 }
 
 /// A table, and how far it is from the map's means at each deviation where that was measured.
@@ -53,13 +102,15 @@ impl Plan<'_> {
             let sums = sheet.hats.narrowed(&nodes, variance, &widened);
             sheet.means([&sums, &sums], |row, column, color| {
                 let texel = &mut texels[4 * (row * nodes.len() + column)..][..4];
-                texel.iter_mut().zip(color).for_each(|(texel, value)| *texel = half_rounded(value.into()));
+                for (channel, (texel, value)) in texel.iter_mut().zip(color).enumerate() {
+                    *texel = self.stored.texel(value, channel);
+                }
             });
         });
         let errors = self.errors(&sheet, &texels);
         let lattice = Lattice([self.slopes, self.slopes, self.deviations]);
         let table = lattice.table(name, texels, errors.iter().map(|error| error.1).fold(0.0, f32::max));
-        Baked { table, errors }
+        Baked { table: Table { format: self.stored.format(), ..table }, errors }
     }
 
     /// The largest difference between a filtered read and the map's mean at each deviation; the map itself has the last
@@ -74,7 +125,7 @@ impl Plan<'_> {
             let Some((half, _)) = counted.max_by(|one, other| one.1 .1.total_cmp(&other.1 .1)) else { continue };
             let (deviation, place) = (deviation(half), [1, 2].map(|axis| f64::from(places[3 * half + axis])));
             let lattice = Lattice([self.slopes, self.slopes, self.deviations]);
-            let read = lattice.filtered(texels, [place[0], place[1], deviation]);
+            let read = self.stored.color(lattice.filtered(texels, [place[0], place[1], deviation]));
             let truth = self.map.mean(place, [deviation * deviation, 0.0, deviation * deviation]);
             errors[half].1 =
                 read.iter().zip(truth).map(|(read, truth)| (read - truth).abs() as f32).fold(0.0, f32::max);
@@ -106,7 +157,7 @@ impl Plan<'_> {
         let slices = [between(self.deviations.number(deviation), self.deviations.count - 1)];
         let lines = of_rows(&down, &of_rows(&slices, texels, 4 * size * size), 4 * size);
         let mut read = Vec::with_capacity(columns.len() * centers.len());
-        of_colors(&along, &lines, 4 * size, |_, _, color| read.push(color));
+        of_colors(&along, &lines, 4 * size, |_, _, color| read.push(self.stored.color(color)));
         let sums = [&columns, &centers].map(|places| sheet.hats.all(places, deviation));
         let mut worst = [0.0; 3];
         sheet.means([&sums[0], &sums[1]], |row, column, near| {
@@ -168,7 +219,14 @@ mod tests {
             let color = |at: usize| [0, 1, 2, 3].map(|channel| f64::from(((7 * at + 5 * channel) % 11) as f32 / 11.0));
             let map = Bilinear { colors: (0..nodes.len() * nodes.len()).map(color).collect(), nodes };
             let axis = Axis { low: 0.0, high: 1.0, count: 2, spacing: Spacing::Linear };
-            let sheet = Sheet::new(Plan { map: &map, slopes: axis, deviations: axis, farthest: 1.0, smooth: 0.0 });
+            let sheet = Sheet::new(Plan {
+                map: &map,
+                slopes: axis,
+                deviations: axis,
+                farthest: 1.0,
+                smooth: 0.0,
+                stored: Stored::Halves,
+            });
             let places = [([0.2, -0.3], 0.4), ([-1.9, 3.7], 0.05), ([8.0, -6.0], 1.5), ([0.1, 0.2], 0.0)];
             for (place, deviation) in places.into_iter().chain([([0.11, 0.2], 1e-4), ([0.7, -1.2], 2.1)]) {
                 let truth = map.mean(place, [deviation * deviation, 0.0, deviation * deviation]);

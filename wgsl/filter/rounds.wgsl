@@ -9,11 +9,8 @@ const rounds_three_least = 0.294;
 /// The smallest part of five.
 const rounds_five_least = 0.16;
 
-/// The smallest part of six and of seven.
+/// The smallest part of seven.
 const rounds_seven_least = 0.12;
-
-/// From this part on seven are enough for a distribution; below, the mean of seven and of six errs less between edges.
-const rounds_seven_enough = 0.25;
 
 /// The smallest part of nine.
 const rounds_nine_least = 0.09;
@@ -49,43 +46,16 @@ fn rounds_five(part: f32) -> vec4f {
     return vec4f(inner, outer, near, far);
 }
 
-/// Multiples of z a at which the three pairs of six round distributions stand, outwards.
-///
-/// A step is off by up to 3.2e-2, 8.5e-3 for a quarter and 5e-4 for half of the major deviation.
-///
-/// Source: a fit of the least sum of eighth powers of a step's errors, and of twice those of a kink in major
-///   deviations, to the pairs that have it: colors of smooth maps err by what a kink does.
-/// Domain: part in [0.12, 0.38].
-/// Error: 2.5e-3 absolute; from the pairs with that sum.
-fn rounds_six_places(part: f32) -> vec3f {
-    // From 0.4 on the same pairs serve all parts.
-    let q = clamp(part, rounds_seven_least, 0.4);
-    let first = 0.21029747 + q * (0.65774802 + q * (0.046624574 * q - 0.31178624));
-    let second = 0.67967144 + q * (1.8521274 - q * (0.59495251 + 0.15969772 * q));
-    let third = 1.4341094 + q * (2.1914648 + q * (1.3009023 - 2.3722624 * q));
-    return vec3f(first, second, third);
-}
-
-/// The weights of each distribution of the three pairs of six: half of all.
-///
-/// Source: as `rounds_six_places`.
-/// Domain: part in [0.12, 0.38].
-/// Error: 4e-4 absolute; as `rounds_six_places`.
-fn rounds_six_weights(part: f32) -> vec3f {
-    let q = clamp(part, rounds_seven_least, 0.4);
-    let first = 0.16658931 + q * (0.484422 + q * (0.068592507 * q - 0.32561905));
-    let second = 0.17270049 + q * (0.087792179 + q * (0.26499897 * q - 0.42210459));
-    return vec3f(first, second, 0.5 - first - second);
-}
-
 /// Multiples of z a at which the three pairs of seven round distributions stand, outwards.
 ///
 /// A step is off by up to 2.3e-2, 4.7e-3 for a quarter and 2e-4 for half of the major deviation.
 ///
-/// Source: as `rounds_six_places`.
+/// Source: a fit of the least sum of eighth powers of a step's errors, and of twice those of a kink in major
+///   deviations, to the pairs that have it: colors of smooth maps err by what a kink does.
 /// Domain: part in [0.12, 0.38].
-/// Error: 1.5e-3 absolute; as `rounds_six_places`.
+/// Error: 1.5e-3 absolute; from the pairs with that sum.
 fn rounds_seven_places(part: f32) -> vec3f {
+    // From 0.4 on the same pairs serve all parts.
     let q = clamp(part, rounds_seven_least, 0.4);
     let first = 0.36246737 + q * (1.3490436 + q * (0.2874197 * q - 0.83041524));
     let second = 0.79213918 + q * (2.5019318 - q * (1.0198141 + 0.068874608 * q));
@@ -95,9 +65,9 @@ fn rounds_seven_places(part: f32) -> vec3f {
 
 /// The weights of each distribution of the three pairs of seven.
 ///
-/// Source: as `rounds_six_places`.
+/// Source: as `rounds_seven_places`.
 /// Domain: part in [0.12, 0.38].
-/// Error: 2e-4 absolute; as `rounds_six_places`.
+/// Error: 2e-4 absolute; as `rounds_seven_places`.
 fn rounds_seven_weights(part: f32) -> vec3f {
     let q = clamp(part, rounds_seven_least, 0.4);
     let first = 0.14276846 + q * (0.41010243 + q * (0.24823012 * q - 0.54959783));

@@ -12,7 +12,7 @@
 /// Error: 3e-7 absolute; f32 rounding and the device's log2.
 fn slope_map_slice(deviation: f32, per_deviation: f32, per_octave: f32) -> f32 {
     // From the center of the first slice, ½/20.
-    return 0.025 + per_octave * log2(1.0 + per_deviation * clamp(deviation, 0.0, 1e18));
+    return 0.025 + per_octave * log2(1.0 + clamp(per_deviation, 0.0, 1e18) * clamp(deviation, 0.0, 1e18));
 }
 
 /// Mean of a map over a round normal distribution of slopes, from its table, by the `slope_map_slice` of the deviation.
@@ -83,23 +83,6 @@ fn slope_map_five(mean: vec2f, stretch: footprint_stretch, per_slope: f32, bend:
     let a = slope_map_sides(mean, arms.x * stretch.away, slice, per_slope, bend, table, table_sampler);
     let b = slope_map_sides(mean, arms.y * stretch.away, slice, per_slope, bend, table, table_sampler);
     return mix(middle, 0.5 * a, 2.0 * arms.z) + arms.w * (b - 2.0 * middle);
-}
-
-/// Mean of a map over a normal distribution of slopes, by six round ones on its major axis.
-///
-/// Source: `rounds_six_places`.
-/// Domain: mean in [-1.5, 1.5], stretch from footprint_stretched, per_slope in [0.396875, 0.396875],
-///   bend in [0.4, 0.4], per_deviation in [24, 24], per_octave in [0.25672624, 0.25672624].
-/// Error: 1e-3 absolute; of the table, for a random map of 2 × 2 cells and axes of ratios up to 3.
-fn slope_map_six(mean: vec2f, stretch: footprint_stretch, per_slope: f32, bend: f32, per_deviation: f32,
-    per_octave: f32, table: texture_3d<f32>, table_sampler: sampler) -> vec4f {
-    let places = rounds_six_places(stretch.part);
-    let weights = rounds_six_weights(stretch.part);
-    let slice = slope_map_slice(stretch.deviation, per_deviation, per_octave);
-    let a = slope_map_sides(mean, places.x * stretch.away, slice, per_slope, bend, table, table_sampler);
-    let b = slope_map_sides(mean, places.y * stretch.away, slice, per_slope, bend, table, table_sampler);
-    let c = slope_map_sides(mean, places.z * stretch.away, slice, per_slope, bend, table, table_sampler);
-    return weights.x * a + weights.y * b + weights.z * c;
 }
 
 /// Mean of a map over a normal distribution of slopes, by seven round ones on its major axis.

@@ -3,7 +3,7 @@
 
 use std::sync::OnceLock;
 
-use prefilter::reference::rounds::{nearest, seven, six};
+use prefilter::reference::rounds::{nearest, seven};
 
 use super::Row;
 
@@ -55,13 +55,8 @@ pub(super) fn three(part: f64) -> [f64; 2] {
 
 pub(super) fn rows() -> Vec<Row> {
     static FIVE: OnceLock<Nearest<4>> = OnceLock::new();
-    static SIX: OnceLock<Nearest<6>> = OnceLock::new();
     static SEVEN: OnceLock<Nearest<6>> = OnceLock::new();
     static NINE: OnceLock<Nearest<8>> = OnceLock::new();
-    let six = |part: f64| {
-        let start = [0.391, 1.205, 2.169, 0.3126, 0.1572, 0.0301];
-        SIX.get_or_init(|| Nearest::new(0.4, 0.01, 30, start, six)).at(part)
-    };
     let seven = |part: f64| {
         let start = [0.722, 1.49, 2.408, 0.2348, 0.0946, 0.015];
         SEVEN.get_or_init(|| Nearest::new(0.4, 0.01, 30, start, seven)).at(part)
@@ -77,8 +72,6 @@ pub(super) fn rows() -> Vec<Row> {
         Row::new("rounds_five", |x| {
             FIVE.get_or_init(|| Nearest::new(0.36, 0.002, 110, [0.846, 1.82, 0.249, 0.074], nearest)).at(x[0])
         }),
-        Row::new("rounds_six_places", move |x| third(six(x[0]), 0)),
-        Row::new("rounds_six_weights", move |x| third(six(x[0]), 3)),
         Row::new("rounds_seven_places", move |x| third(seven(x[0]), 0)),
         Row::new("rounds_seven_weights", move |x| third(seven(x[0]), 3)),
         Row::new("rounds_nine_places", move |x| half(nine(x[0]), 0)),

@@ -20,12 +20,11 @@ fn map() -> (Bilinear, Table) {
 }
 
 /// The functions of so many reads.
-const NAMES: [&str; 6] =
-    ["slope_map_one", "slope_map_three", "slope_map_five", "slope_map_six", "slope_map_seven", "slope_map_nine"];
+const NAMES: [&str; 5] = ["slope_map_one", "slope_map_three", "slope_map_five", "slope_map_seven", "slope_map_nine"];
 
-/// The deviation of a slice: the largest, ½, is that of the last of 20, and 24 / 25 of it the logarithm's unit.
+/// The deviation of a slice: the largest, ½, is that of the last of 20, and a twelfth of it the logarithm's unit.
 fn deviation(slice: f64) -> f64 {
-    0.5 * (25f64.powf((20.0 * slice - 0.5) / 19.0) - 1.0) / 24.0
+    0.5 * (13f64.powf((20.0 * slice - 0.5) / 19.0) - 1.0) / 12.0
 }
 
 pub(super) fn rows() -> Vec<Row> {

@@ -11,59 +11,58 @@ use spirv_tests::kernel::Function;
 
 use crate::{single, turned, Fault, Outcome};
 
-/// What stands for the visible slopes as the modules have it: one normal distribution, or two; and for each of those
-/// one, three, five, seven or nine round ones; seven and six for the shorter of two.
+/// What stands for the visible slopes as the modules have it: one normal distribution, or two less a third; and for
+/// each of those one, three, five, seven or nine round ones, for the third one, three or five.
 const CHAIN: &str = "
-struct rounds { mean: vec2f, away: vec2f, deviation: f32, places: vec4f, weights: vec4f }
-struct both { low: rounds, high: rounds }
-fn one(mean: vec2f, covariance: vec3f) -> rounds {
+struct rounds { mean: vec2f, away: vec2f, deviation: f32, share: f32, places: vec4f, weights: vec4f }
+struct all { low: rounds, high: rounds, narrow: rounds }
+fn one(share: f32, mean: vec2f, covariance: vec3f) -> rounds {
     let area = sqrt(covariance.x * covariance.z - covariance.y * covariance.y);
-    return rounds(mean, vec2f(), sqrt(area), vec4f(), vec4f());
+    return rounds(mean, vec2f(), sqrt(area), share, vec4f(), vec4f());
 }
-fn three(mean: vec2f, covariance: vec3f) -> rounds {
+fn three(share: f32, mean: vec2f, covariance: vec3f) -> rounds {
     let s = footprint_stretched(covariance, rounds_three_least);
     let sides = rounds_three(s.part);
-    return rounds(mean, s.away, s.deviation, vec4f(sides.x, vec3f()), vec4f(sides.y, vec3f()));
+    return rounds(mean, s.away, s.deviation, share, vec4f(sides.x, vec3f()), vec4f(sides.y, vec3f()));
 }
-fn five(mean: vec2f, covariance: vec3f) -> rounds {
+fn five(share: f32, mean: vec2f, covariance: vec3f) -> rounds {
     let s = footprint_stretched(covariance, rounds_five_least);
     let arms = rounds_five(s.part);
-    return rounds(mean, s.away, s.deviation, vec4f(arms.xy, vec2f()), vec4f(arms.zw, vec2f()));
+    return rounds(mean, s.away, s.deviation, share, vec4f(arms.xy, vec2f()), vec4f(arms.zw, vec2f()));
 }
-fn six(mean: vec2f, covariance: vec3f) -> rounds {
+fn seven(share: f32, mean: vec2f, covariance: vec3f) -> rounds {
     let s = footprint_stretched(covariance, rounds_seven_least);
-    return rounds(mean, s.away, s.deviation, vec4f(rounds_six_places(s.part), 0.0),
-        vec4f(rounds_six_weights(s.part), 0.0));
-}
-fn seven(mean: vec2f, covariance: vec3f) -> rounds {
-    let s = footprint_stretched(covariance, rounds_seven_least);
-    return rounds(mean, s.away, s.deviation, vec4f(rounds_seven_places(s.part), 0.0),
+    return rounds(mean, s.away, s.deviation, share, vec4f(rounds_seven_places(s.part), 0.0),
         vec4f(rounds_seven_weights(s.part), 0.0));
 }
-fn nine(mean: vec2f, covariance: vec3f) -> rounds {
+fn nine(share: f32, mean: vec2f, covariance: vec3f) -> rounds {
     let s = footprint_stretched(covariance, rounds_nine_least);
-    return rounds(mean, s.away, s.deviation, rounds_nine_places(s.part), rounds_nine_weights(s.part));
+    return rounds(mean, s.away, s.deviation, share, rounds_nine_places(s.part), rounds_nine_weights(s.part));
 }
-fn all_alike(view: vec3f, mean_slope: vec2f, covariance: vec3f) -> both {
-    let all = TAPS(mean_slope, covariance);
-    return both(all, all);
+fn alone(mean_slope: vec2f, covariance: vec3f) -> all {
+    let none = one(0.0, vec2f(), vec3f());
+    return all(TAPS(1.0, mean_slope, covariance), none, none);
 }
-fn single(view: vec3f, mean_slope: vec2f, covariance: vec3f) -> both {
+fn all_alike(view: vec3f, mean_slope: vec2f, covariance: vec3f) -> all {
+    return alone(mean_slope, covariance);
+}
+fn single(view: vec3f, mean_slope: vec2f, covariance: vec3f) -> all {
     let factor = slopes_factor(view, covariance);
     let m = slopes_moments(slopes_parameter(view, mean_slope, factor));
-    let all = TAPS(mean_slope + m.x * factor.xy, slopes_covariance(factor, m.y));
-    return both(all, all);
+    return alone(mean_slope + m.x * factor.xy, slopes_covariance(factor, m.y));
 }
-fn pair(view: vec3f, mean_slope: vec2f, covariance: vec3f) -> both {
+fn pair(view: vec3f, mean_slope: vec2f, covariance: vec3f) -> all {
     let factor = slopes_factor(view, covariance);
     let parameter = slopes_parameter(view, mean_slope, factor);
-    let p = split_longer_first(factor, split_pair(parameter));
-    let longer = TAPS(mean_slope + p.x * factor.xy, slopes_covariance(factor, p.y));
-    let part = footprint_stretched(slopes_covariance(factor, p.y), rounds_seven_least).part;
-    if parameter >= split_single && part >= rounds_seven_enough {
-        return both(longer, longer);
+    if parameter >= split_single {
+        return single(view, mean_slope, covariance);
     }
-    return both(longer, FEWER(mean_slope + p.z * factor.xy, slopes_covariance(factor, p.w)));
+    let split = split_pair(parameter);
+    let less = split_less(parameter);
+    let share = 0.5 * (1.0 + less.z);
+    return all(TAPS(share, mean_slope + split.x * factor.xy, slopes_covariance(factor, split.y)),
+        TAPS(share, mean_slope + split.z * factor.xy, slopes_covariance(factor, split.w)),
+        FEWER(-less.z, mean_slope + less.x * factor.xy, slopes_covariance(factor, less.y)));
 }";
 
 /// A round normal distribution of slopes and its share.
@@ -74,15 +73,15 @@ struct Round {
 }
 
 fn rounds(numbers: &[f64]) -> Vec<Round> {
-    let half = |half: &[f64]| {
-        let &[x, y, dx, dy, deviation, ref pairs @ ..] = half else { return Vec::new() };
+    let part = |part: &[f64]| {
+        let &[x, y, dx, dy, deviation, whole, ref pairs @ ..] = part else { return Vec::new() };
         let (places, weights) = pairs.split_at(pairs.len() / 2);
         let middle = (0.0, 1.0 - 2.0 * weights.iter().sum::<f64>());
         let sides = places.iter().zip(weights).flat_map(|(place, weight)| [(*place, *weight), (-place, *weight)]);
-        let round = |(place, share)| Round { mean: [x + place * dx, y + place * dy], deviation, share: 0.5 * share };
+        let round = |(place, share)| Round { mean: [x + place * dx, y + place * dy], deviation, share: whole * share };
         std::iter::once(middle).chain(sides).map(round).collect()
     };
-    numbers.chunks(13).flat_map(half).filter(|round| round.share != 0.0).collect()
+    numbers.chunks(14).flat_map(part).filter(|round| round.share != 0.0).collect()
 }
 
 /// The mean of a map over round distributions.
@@ -98,7 +97,7 @@ fn views(aspect: f64, most: f64) -> Vec<Visible> {
     for turn in turns {
         let covariance = turned(0.4, aspect, turn);
         for mean in [[0.0, 0.0], [-0.6, 0.1], [-0.3, 0.3], [0.2, 0.2]].map(single) {
-            for parameter in [1e-3, 0.25, 0.7, 1.4, 2.5, 3.3, 4.01] {
+            for parameter in [1e-3, 0.25, 0.7, 1.4, 2.5, 3.5, 5.2, 6.01] {
                 let z = mean[0] + parameter * covariance[0].sqrt();
                 let view = single([1.0 / f64::hypot(1.0, z), 0.0, z / f64::hypot(1.0, z)]);
                 views.push(Visible { view, covariance, mean });
@@ -129,7 +128,11 @@ fn quarter(visible: &Visible, turn: f64) -> f64 {
 
 /// The largest errors of steps, of discs about 0 and of quarters; a tenth of the views for the latter two.
 fn errors(device: &Device, tier: &str, taps: &str, views: &[Visible]) -> Result<[f64; 3], Fault> {
-    let fewer = if taps == "seven" { "six" } else { taps };
+    let fewer = match taps {
+        "one" => "one",
+        "seven" | "nine" => "five",
+        _ => "three",
+    };
     let points: Vec<Vec<f64>> =
         views.iter().map(|visible| [&visible.view[..], &visible.mean, &visible.covariance].concat()).collect();
     let got =
@@ -154,7 +157,7 @@ fn errors(device: &Device, tier: &str, taps: &str, views: &[Visible]) -> Result<
                 meet(0, below - visible.below(direction, at));
             }
         }
-        if index % 7 > 2 {
+        if index % 8 > 3 {
             continue;
         }
         for length in [0.15, 0.4, 0.6, 0.9] {
@@ -195,11 +198,11 @@ const FIGURES: [(&str, [[f64; 3]; 5]); 3] = [
     (
         "pair",
         [
-            [9.9e-2, 0.177, 0.288],
-            [1.34e-2, 6.15e-2, 0.181],
-            [1.3e-2, 2.35e-2, 6.5e-2],
-            [1.3e-2, 1.3e-2, 2.95e-2],
-            [1.3e-2, 1.3e-2, 1.4e-2],
+            [6.7e-2, 0.156, 0.255],
+            [8.4e-3, 4.25e-2, 0.167],
+            [5.6e-3, 1.5e-2, 5.4e-2],
+            [2.9e-3, 4.9e-3, 2.35e-2],
+            [2.8e-3, 4.3e-3, 1.65e-2],
         ],
     ),
 ];
@@ -229,13 +232,13 @@ fn flat_meshes_keep_the_figures_of_their_reads() -> Outcome {
     for (taps, figures) in [
         ("one", [0.0, 0.102, 0.2]),
         ("three", [0.0, 1.7e-2, 7.7e-2]),
-        ("five", [0.0, 1.6e-3, 2.6e-2]),
+        ("five", [0.0, 1.5e-3, 2.6e-2]),
         ("seven", [0.0, 2.3e-4, 6.1e-3]),
-        ("nine", [0.0, 6.2e-5, 1.9e-3]),
+        ("nine", [0.0, 6.3e-5, 1.9e-3]),
     ] {
         for (aspect, figure) in [1.0, 2.0, 4.0].into_iter().zip(figures) {
             let flat = |visible: Visible| Visible { view: [0.0, 0.0, 1.0], ..visible };
-            let views: Vec<Visible> = views(aspect, 0.5 * PI).into_iter().step_by(7).map(flat).collect();
+            let views: Vec<Visible> = views(aspect, 0.5 * PI).into_iter().step_by(8).map(flat).collect();
             let [step, disc, sector] = errors(&device, "all_alike", taps, &views)?;
             println!("flat, {taps}, {aspect}:1: step {step:.3e}, disc {disc:.3e}, quarter {sector:.3e}");
             let worst = step.max(disc).max(sector);
@@ -260,7 +263,7 @@ fn long_distributions_keep_their_figure() -> Outcome {
     };
     // Up to 61 degrees from the view five keep it.
     let ([_, along], [across, _]) = (worst("five", 0.34 * PI)?, worst("five", 0.5 * PI)?);
-    assert!(along <= 0.02 && across > 0.06, "{along} {across}");
+    assert!(along <= 0.015 && across > 0.04, "{along} {across}");
     let [step, all] = worst("nine", 0.5 * PI)?;
     assert!(step <= 0.02 && all <= 0.02, "{step} {all}");
     Ok(())
