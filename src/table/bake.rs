@@ -54,11 +54,19 @@ pub(super) fn bends(map: &PiecewiseLinear) -> Vec<f64> {
 }
 
 /// The smallest and the largest value of each channel.
-fn hull(map: &PiecewiseLinear) -> [[f64; 2]; 4] {
+type Hull = [[f64; 2]; 4];
+
+/// That of a map.
+fn hull(map: &PiecewiseLinear) -> Hull {
     std::array::from_fn(|channel| {
         let values = map.knots.iter().flat_map(|knot| [knot.1[channel], knot.2[channel]]);
         [values.clone().fold(f64::INFINITY, f64::min), values.fold(f64::NEG_INFINITY, f64::max)]
     })
+}
+
+/// The nearest color in a hull: sums of what stops close to each other leave round beyond it.
+fn inside(hull: &Hull, color: [f64; 4]) -> [f64; 4] {
+    std::array::from_fn(|channel| color[channel].clamp(hull[channel][0], hull[channel][1]))
 }
 
 impl Plan<'_> {
@@ -69,7 +77,8 @@ impl Plan<'_> {
         if let Some(error) = self.narrow_error_beyond(FLOOR, most) {
             return lattice.unbaked(name, error);
         }
-        let texels = lattice.texels(|_, deviation| move |mean| normal.color(self.map, mean, deviation));
+        let hull = hull(self.map);
+        let texels = lattice.texels(|_, deviation| move |mean| inside(&hull, normal.color(self.map, mean, deviation)));
         let error = self.judge(lattice, FLOOR, &texels, normal);
         lattice.table(name, texels, error)
     }
@@ -95,7 +104,7 @@ impl Plan<'_> {
         let hull = hull(self.map);
         let taught = |color: [f64; 4], mean: f64, deviation: f64| -> [f64; 4] {
             let more = lesson.at(mean, deviation);
-            std::array::from_fn(|channel| (color[channel] + more[channel]).clamp(hull[channel][0], hull[channel][1]))
+            inside(&hull, std::array::from_fn(|channel| color[channel] + more[channel]))
         };
         let taught = &taught;
         let near = |deviation: f64| move |mean: f64| taught(normal.color(self.map, mean, deviation), mean, deviation);
@@ -115,7 +124,10 @@ impl Plan<'_> {
             return lattice.unbaked(name, error);
         }
         let strips = strips();
-        let texels = lattice.texels(|slice, deviation| move |mean| strips[2 * slice].color(self.map, mean, deviation));
+        let hull = hull(self.map);
+        let color = |slice: usize, mean: f64, deviation: f64| strips[2 * slice].color(self.map, mean, deviation);
+        let color = &color;
+        let texels = lattice.texels(|slice, deviation| move |mean| inside(&hull, color(slice, mean, deviation)));
         let judged = strips.iter().take(1).chain(strips.iter().skip(1).step_by(2));
         let error = judged.map(|strip| self.judge(lattice, floor, &texels, strip)).fold(0.0, f32::max);
         lattice.table(name, texels, error)
@@ -131,7 +143,8 @@ impl Plan<'_> {
         let rows = self.deviations.number(floor).ceil() as usize + 1;
         let first = Self { deviations: self.deviations.first(rows.max(2)), ..self };
         let (lattice, normal) = (first.lattice(FLAT), normal());
-        let texels = lattice.texels(|_, deviation| move |mean| normal.color(self.map, mean, deviation));
+        let hull = hull(self.map);
+        let texels = lattice.texels(|_, deviation| move |mean| inside(&hull, normal.color(self.map, mean, deviation)));
         Some(first.judge(lattice, floor, &texels, normal)).filter(|error| *error > most)
     }
 
