@@ -148,3 +148,71 @@ impl Axis {
         number.clamp(0.0, last)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// An axis of every spacing, with ends that are no round numbers.
+    fn axes() -> Vec<Axis> {
+        let spacings = [
+            Spacing::Linear,
+            Spacing::CubeRoot,
+            Spacing::SquareRoot,
+            Spacing::Centers,
+            Spacing::Companded { unit: 0.7 },
+            Spacing::Logarithm,
+            Spacing::Ratio,
+        ];
+        let axis = |spacing: Spacing| match spacing {
+            Spacing::Linear | Spacing::Centers => Axis { low: -0.3, high: 1.9, count: 17, spacing },
+            Spacing::Companded { .. } => Axis { low: -23.0, high: 5.0, count: 17, spacing },
+            Spacing::Ratio => Axis { low: 0.013, high: 0.61, count: 24, spacing },
+            _ => Axis { low: 0.0, high: 0.61, count: 24, spacing },
+        };
+        spacings.map(axis).to_vec()
+    }
+
+    #[test]
+    fn numbers_are_the_inverse_of_values() {
+        for axis in axes() {
+            let last = axis.count - 1;
+            for part in 0..=4 * last {
+                let number = 0.25 * part as f64;
+                let found = axis.number(axis.value(number));
+                assert!((found - number).abs() < 1e-9, "{axis:?}: {number} became {found}");
+            }
+            let rises = (1..=last).all(|node| axis.value(node as f64) > axis.value(node as f64 - 1.0));
+            assert!(rises, "{axis:?}");
+        }
+    }
+
+    #[test]
+    fn what_is_beyond_the_ends_is_read_from_them() {
+        for axis in axes() {
+            let Axis { low, high, count, spacing } = axis;
+            let last = (count - 1) as f64;
+            let off = if spacing == Spacing::Centers { 0.5 * (high - low) / count as f64 } else { 0.0 };
+            let [first, end] = [axis.value(0.0), axis.value(last)];
+            assert!((first - low - off).abs() < 1e-12 && (high - off - end).abs() < 1e-12, "{axis:?}: {first}, {end}");
+            for beyond in [1e-9, 1.0, 1e30] {
+                assert_eq!([low - beyond, high + beyond].map(|at| axis.number(at)), [0.0, last], "{axis:?}: {beyond}");
+            }
+        }
+    }
+
+    /// Deviations of nothing, where logarithms end, read the first node.
+    #[test]
+    fn ratios_are_even_and_hold_at_and_below_zero() {
+        let axis = Axis { low: 0.013, high: 0.61, count: 24, spacing: Spacing::Ratio };
+        let ratio = axis.value(1.0) / axis.value(0.0);
+        for node in 1..24 {
+            let next = axis.value(f64::from(node)) / axis.value(f64::from(node) - 1.0);
+            assert!((next / ratio - 1.0).abs() < 1e-12, "{node}: {next}, not {ratio}");
+        }
+        assert!((axis.value(11.5) - (0.013f64 * 0.61).sqrt()).abs() < 1e-15);
+        for nothing in [0.013, 1e-3, f64::MIN_POSITIVE, 0.0, -0.0, -0.013, -1.0] {
+            assert_eq!(axis.number(nothing), 0.0, "{nothing}");
+        }
+    }
+}

@@ -208,9 +208,11 @@ mod tests {
         }
     }
 
-    fn plan<'a>(map: &'a PiecewiseLinear, curve: &'a HeightTransfer) -> Plan<'a> {
-        let means = Axis { low: -0.5, high: 1.5, count: 32, spacing: Spacing::Linear };
-        let deviations = Axis { low: 0.0, high: 0.5, count: 8, spacing: Spacing::CubeRoot };
+    /// Few columns and rows, spread as those of filters are: rows in even ratios, from a column's width on.
+    fn plan<'a>(map: &'a PiecewiseLinear, curve: &'a HeightTransfer, [low, high]: [f64; 2], most: f64) -> Plan<'a> {
+        let means = Axis { low, high, count: 32, spacing: Spacing::Linear };
+        let narrow = (means.value(1.0) - means.value(0.0)).min(0.25 * most);
+        let deviations = Axis { low: narrow, high: most, count: 8, spacing: Spacing::Ratio };
         Plan { map, curve, means, deviations }
     }
 
@@ -218,7 +220,7 @@ mod tests {
     #[test]
     fn colors_over_a_line_are_those_without_a_curve() -> Result<(), crate::Error> {
         let (map, line) = (map(), HeightTransfer::power(1.0)?);
-        let plan = plan(&map, &line);
+        let plan = plan(&map, &line, [-0.5, 1.5], 0.5);
         let layers = Layers::new(&map, &line, &plan.bends(), plan.values());
         for strip in [0.0, 0.7, 39.0, 1e3].map(Strip::new) {
             for (mean, deviation) in [(0.31, 0.02), (-0.4, 0.3), (0.7, 0.5), (1.2, 0.2), (0.31, 0.0)] {
@@ -237,7 +239,7 @@ mod tests {
         let map = map();
         let peaks = HeightTransfer::knots([(-0.5, 0.7), (0.1, 0.0), (0.4, 1.0), (0.9, 0.2)])?;
         for curve in [HeightTransfer::smoothstep(0.0, 1.2)?, HeightTransfer::absolute(), peaks] {
-            let plan = plan(&map, &curve);
+            let plan = plan(&map, &curve, [-0.5, 1.5], 0.5);
             let bends = plan.bends();
             let layers = Layers::new(&map, &curve, &bends, plan.values());
             for [mean, deviation] in [[0.31, 0.05], [-0.4, 0.3], [0.7, 0.5], [1.2, 0.2], [0.31, 0.0]] {
@@ -259,9 +261,7 @@ mod tests {
         let map = PiecewiseLinear { knots: vec![(0.0, black, black), (0.5, white, white), (1.0, black, black)] };
         let curves = [HeightTransfer::smoothstep(0.2, 0.8)?, HeightTransfer::power(1.0)?];
         for (curve, low) in curves.iter().flat_map(|curve| [0.3, 0.4, 0.55].map(|low| (curve, low))) {
-            let means = Axis { low, high: low + 0.1, count: 8, spacing: Spacing::Linear };
-            let deviations = Axis { low: 0.0, high: 0.01, count: 4, spacing: Spacing::CubeRoot };
-            let plan = Plan { map: &map, curve, means, deviations };
+            let plan = plan(&map, curve, [low, low + 0.1], 0.01);
             let bends = plan.bends();
             let layers = Layers::new(&map, curve, &bends, plan.values());
             for mean in [low, low + 0.03, low + 0.1] {
@@ -271,6 +271,31 @@ mod tests {
                 assert!(apart < 2e-3, "{curve:?}, {mean}: {apart:e}");
             }
         }
+        Ok(())
+    }
+
+    /// What a sampler reads between nodes, at other places than those that the table is judged at, is as far from the
+    /// reference as filters say, which is twice as far as was measured.
+    #[test]
+    fn reads_are_as_near_as_the_table_says() -> Result<(), crate::Error> {
+        let (map, curve) = (map(), HeightTransfer::smoothstep(0.0, 1.2)?);
+        let plan = plan(&map, &curve, [-0.5, 1.5], 0.5);
+        let (floor, bends) = (2.0 * plan.deviations.low, plan.bends());
+        let table = plan.table("table", floor);
+        let lattice = Lattice([plan.means, plan.deviations, HIDING]);
+        let most = 2.0 * f64::from(table.error);
+        let mut worst = 0.0f64;
+        for mean in (0..29).map(|place| 0.069 * f64::from(place) - 0.47) {
+            for (deviation, lambda) in [(floor, 0.0), (floor, 2.7), (0.17, 0.3), (0.23, 93.0), (0.31, 0.9), (0.5, 7.0)]
+            {
+                let read = lattice.filtered(&table.levels[0].texels, [mean, deviation, (1.0 + DENSER * lambda).log2()]);
+                let truth = plan.truth(&bends, mean, deviation, lambda);
+                let apart = read.iter().zip(truth).map(|(read, truth)| (read - truth).abs()).fold(0.0, f64::max);
+                assert!(apart <= most, "{mean}, {deviation}, {lambda}: {apart:e} of {most:e}");
+                worst = worst.max(apart);
+            }
+        }
+        assert!(4.0 * worst >= most, "{most:e} is more than four times too wide: {worst:e}");
         Ok(())
     }
 }
