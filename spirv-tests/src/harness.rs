@@ -136,12 +136,16 @@ pub fn judge(device: &Device, function: &Function, rows: &[&Row], count: usize) 
         });
     }
     let judgement = judgement.ok_or_else(|| Failure::NoRow(function.name.clone()))?;
-    let slack = device.label().contains("llvmpipe") && is_slack(&judgement);
-    if slack {
+    if is_pinned(device) && is_slack(&judgement) {
         Err(Failure::Slack(Box::new(judgement)))
     } else {
         Ok(judgement)
     }
+}
+
+/// Whether a device is the pinned driver: that of which promises may not be slack, and its faults are known.
+pub fn is_pinned(device: &Device) -> bool {
+    device.label().contains("llvmpipe")
 }
 
 fn merged(before: Judgement, next: Judgement) -> Judgement {
