@@ -1,20 +1,13 @@
 //! Means over normal variables of functions that are linear between nodes and constant beyond: the weights of the
 //! nodes, and sums of rows of colors by them.
 
-use crate::reference::normal::{cumulative, density};
+use super::normal::excess;
 
 /// Beyond this many deviations lies less than 6e-7 of a distribution.
 const FAR: f64 = 5.0;
 
-/// Places a deviation at which the mean excess is known: cubic between them it errs by 6e-11.
-const PLACES: usize = 64;
-
-/// The nodes of a function, and what weighs them.
-pub(super) struct Hats<'a> {
-    nodes: &'a [f64],
-    /// The mean of max(z − t, 0) over a standard normal z, and its derivative by t times the distance of places.
-    excess: Vec<[f64; 2]>,
-}
+/// The nodes of a function, which rise.
+pub(super) struct Hats<'a>(pub &'a [f64]);
 
 /// Weights of nodes that follow each other.
 pub(super) struct Weights {
@@ -24,44 +17,20 @@ pub(super) struct Weights {
     pub weights: Vec<f32>,
 }
 
-impl<'a> Hats<'a> {
-    /// Of nodes that rise.
-    pub(super) fn new(nodes: &'a [f64]) -> Self {
-        let place = |place: usize| {
-            let [at, above] = [place as f64 / PLACES as f64, cumulative(-(place as f64) / PLACES as f64)];
-            [density(at) - at * above, -above / PLACES as f64]
-        };
-        Self { nodes, excess: (0..=FAR as usize * PLACES).map(place).collect() }
-    }
-
-    /// The mean of max(v − node, 0) over a normal v so far from the node.
-    fn above(&self, from: f64, deviation: f64) -> f64 {
-        let place = from.abs() / deviation * PLACES as f64;
-        let known = if deviation > 0.0 { self.excess.get(place as usize..) } else { None };
-        match known {
-            Some(&[[low, falls], [high, flattens], ..]) => {
-                let part = place.fract();
-                let left = 1.0 - part;
-                let ends = low * (1.0 + 2.0 * part) * left * left + high * (3.0 - 2.0 * part) * part * part;
-                from.max(0.0) + deviation * (ends + part * left * (falls * left - flattens * part))
-            }
-            _ => from.max(0.0),
-        }
-    }
-
+impl Hats<'_> {
     /// The weights of the nodes in the mean over a normal variable.
     ///
     /// The mean of the ramp from 0 at a node to 1 at the next is the difference of the means of max(v − x, 0) at both,
     /// over their distance; a node's hat is the difference of the ramps on its sides.
     fn weights(&self, mean: f64, deviation: f64) -> Weights {
-        let (nodes, reach) = (self.nodes, FAR * deviation);
+        let (nodes, reach) = (self.0, FAR * deviation);
         let first = nodes.partition_point(|&node| node <= mean - reach).saturating_sub(1);
         let last = nodes.partition_point(|&node| node < mean + reach).min(nodes.len() - 1);
-        let (mut left, mut above) = (1.0, self.above(mean - nodes[first], deviation));
+        let (mut left, mut above) = (1.0, mean_above(mean - nodes[first], deviation));
         let weight = |node: usize| {
             let mut right = 0.0;
             if node < last {
-                let next = self.above(mean - nodes[node + 1], deviation);
+                let next = mean_above(mean - nodes[node + 1], deviation);
                 right = (above - next) / (nodes[node + 1] - nodes[node]);
                 above = next;
             }
@@ -82,6 +51,11 @@ impl<'a> Hats<'a> {
         let weights = |(&mean, less): (&f64, &f64)| self.weights(mean, (variance - less).max(0.0).sqrt());
         means.iter().zip(less).map(weights).collect()
     }
+}
+
+/// The mean of max(v − node, 0) over a normal v so far from the node.
+fn mean_above(from: f64, deviation: f64) -> f64 {
+    from.max(0.0) + deviation * excess(from.abs() / deviation)
 }
 
 /// Weighted sums of whole rows of so many numbers.

@@ -182,7 +182,7 @@ struct Sheet<'a> {
 impl<'a> Sheet<'a> {
     fn new(plan: Plan<'a>) -> Self {
         let colors = plan.map.colors.iter().flatten().map(|&channel| channel as f32).collect();
-        Self { hats: Hats::new(&plan.map.nodes), colors, length: 4 * plan.map.nodes.len() }
+        Self { hats: Hats(&plan.map.nodes), colors, length: 4 * plan.map.nodes.len() }
     }
 
     /// The means of the map by weights along columns and rows: row and column of each, and its color.

@@ -123,8 +123,7 @@ fn lambda(nodes: &[(f64, f64)], parameter: f64) -> f64 {
     let horizon = std::f64::consts::SQRT_2 * parameter;
     let each = nodes.iter().filter(|node| node.0 > 1e-9).map(|&(scale, share)| {
         let at = horizon / scale;
-        let [below, density] = normal::below(at);
-        share * (density / at - (1.0 - below))
+        share * normal::excess(at) / at
     });
     each.sum()
 }
