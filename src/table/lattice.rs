@@ -1,6 +1,7 @@
 //! The nodes of a table: filled in parallel, read as a sampler does, and judged between.
 
 use super::grid::{Axis, Spacing};
+use super::threads::rows;
 use super::{Format, Level, Sampling, Table};
 
 /// The third axis of a flat table.
@@ -143,25 +144,6 @@ pub(super) fn half_rounded(value: f64) -> f32 {
 
 /// The largest half.
 const LARGEST: f64 = 65504.0;
-
-/// The results of all rows in order, on as many threads as the machine has.
-pub(super) fn rows(count: usize, row: impl Fn(usize) -> Vec<f32> + Sync) -> Vec<f32> {
-    let threads = std::thread::available_parallelism().map_or(1, |threads| threads.get()).min(count.max(1));
-    let mut results: Vec<Vec<f32>> = vec![Vec::new(); count];
-    let share = count.div_ceil(threads).max(1);
-    std::thread::scope(|scope| {
-        for (first, chunk) in results.chunks_mut(share).enumerate() {
-            let row = &row;
-            let start = first * share;
-            scope.spawn(move || {
-                for (offset, result) in chunk.iter_mut().enumerate() {
-                    *result = row(start + offset);
-                }
-            });
-        }
-    });
-    results.concat()
-}
 
 #[cfg(test)]
 mod tests {

@@ -18,6 +18,7 @@ pub mod slope_nodes;
 mod slope_steps;
 pub(crate) mod steep_nodes;
 pub(crate) mod strip;
+mod threads;
 pub(crate) mod transfer;
 pub(crate) mod transferred;
 

@@ -8,7 +8,8 @@ use std::ops::{Add, Mul, Sub};
 
 use super::grid::Axis;
 use super::hats::{of_colors, of_rows, Hats, Weights};
-use super::lattice::{half_rounded, rows, Lattice};
+use super::lattice::{half_rounded, Lattice};
+use super::threads::{each, rows};
 use super::{Format, Table};
 use crate::reference::slope_map::Bilinear;
 
@@ -98,7 +99,7 @@ impl Plan<'_> {
         let nodes: Vec<f64> = (0..self.slopes.count).map(|node| self.slopes.value(node as f64)).collect();
         let widened: Vec<f64> = (0..self.slopes.count).map(|node| self.slopes.widening(node)).collect();
         let mut texels = vec![0.0; 4 * nodes.len() * nodes.len() * self.deviations.count];
-        filled(&mut texels, 4 * nodes.len() * nodes.len(), |slice, texels| {
+        each(texels.chunks_exact_mut(4 * nodes.len() * nodes.len()), |slice, texels| {
             let variance = self.deviations.value(slice as f64).powi(2) - self.deviations.widening(slice);
             let sums = sheet.hats.narrowed(&nodes, variance, &widened);
             sheet.means([&sums, &sums], |row, column, color| {
@@ -189,21 +190,6 @@ impl<'a> Sheet<'a> {
     fn means(&self, [columns, rows]: [&[Weights]; 2], color: impl FnMut(usize, usize, [f32; 4])) {
         of_colors(columns, &of_rows(rows, &self.colors, self.length), self.length, color);
     }
-}
-
-/// Fills slices of so many texels, by turns on as many threads as the machine has.
-fn filled(texels: &mut [f32], length: usize, slice: impl Fn(usize, &mut [f32]) + Sync) {
-    let threads = std::thread::available_parallelism().map_or(1, |threads| threads.get());
-    let mut shares: Vec<Vec<(usize, &mut [f32])>> = (0..threads).map(|_| Vec::new()).collect();
-    for (number, texels) in texels.chunks_exact_mut(length).enumerate() {
-        shares[number % threads].push((number, texels));
-    }
-    let slice = &slice;
-    std::thread::scope(|scope| {
-        for share in shares {
-            scope.spawn(move || share.into_iter().for_each(|(number, texels)| slice(number, texels)));
-        }
-    });
 }
 
 #[cfg(test)]

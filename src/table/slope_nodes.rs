@@ -7,10 +7,11 @@
 use std::sync::OnceLock;
 
 use super::grid::{Axis, Spacing};
-use super::lattice::{half_rounded, rows, Lattice};
+use super::lattice::{half_rounded, Lattice};
 use super::rule::rule;
 use super::slope_hiding::hidden;
 use super::slope_steps::error;
+use super::threads::rows;
 use super::Table;
 use crate::reference::slope_nodes::{Ends, Part, Transferred};
 use crate::transfer::height_transfer::HeightTransfer;

@@ -1,8 +1,9 @@
 //! How far steps over the slopes in sight of a transferred surface are, by nodes, from those by all its parts.
 
-use super::lattice::{rows, Lattice};
+use super::lattice::Lattice;
 use super::normal;
 use super::slope_nodes::{ends, Node, Nodes, FOLLOWS, SLICES};
+use super::threads::rows;
 use crate::reference::slope_nodes::{Ends, Part, Transferred};
 
 /// Degrees of the views from the normal.

@@ -1,10 +1,11 @@
 //! Tables of what hides transferred heights: scales and weights of the nodes that are steep, which alone have a Λ.
 
 use super::grid::{Axis, Spacing};
-use super::lattice::{half_rounded, rows, Lattice};
+use super::lattice::{half_rounded, Lattice};
 use super::normal;
 use super::rule::rule;
 use super::slope_nodes::{ends, Nodes, LEVEL};
+use super::threads::rows;
 use super::{Level, Table};
 
 /// The most nodes that one texel holds with their weights.

@@ -1,7 +1,8 @@
 //! Tables of the moments of a height transfer over normal values, baked and judged by two quadratures.
 
 use super::grid::{Axis, Spacing};
-use super::lattice::{rows, Lattice, FLAT};
+use super::lattice::{Lattice, FLAT};
+use super::threads::rows;
 use super::Table;
 use crate::reference::normal::{density, REACH};
 use crate::reference::piece::moments;

@@ -5,8 +5,9 @@ use std::f64::consts::LN_2;
 use super::balanced::{balance, Nodes};
 use super::grid::{Axis, Spacing};
 use super::hiding::Hiding;
-use super::lattice::{half_rounded, rows, Lattice};
+use super::lattice::{half_rounded, Lattice};
 use super::layers::{Layers, REACH};
+use super::threads::rows;
 use super::Table;
 use crate::reference::slope_nodes::Transferred;
 use crate::reference::texture::PiecewiseLinear;
@@ -283,11 +284,9 @@ mod tests {
         let (floor, bends) = (2.0 * plan.deviations.low, plan.bends());
         let table = plan.table("table", floor);
         let lattice = Lattice([plan.means, plan.deviations, HIDING]);
-        let most = 2.0 * f64::from(table.error);
-        let mut worst = 0.0f64;
+        let (most, mut worst) = (2.0 * f64::from(table.error), 0.0f64);
         for mean in (0..29).map(|place| 0.069 * f64::from(place) - 0.47) {
-            for (deviation, lambda) in [(floor, 0.0), (floor, 2.7), (0.17, 0.3), (0.23, 93.0), (0.31, 0.9), (0.5, 7.0)]
-            {
+            for (deviation, lambda) in [(floor, 0.0), (floor, 2.7), (0.17, 0.3), (0.23, 93.0), (0.5, 7.0)] {
                 let read = lattice.filtered(&table.levels[0].texels, [mean, deviation, (1.0 + DENSER * lambda).log2()]);
                 let truth = plan.truth(&bends, mean, deviation, lambda);
                 let apart = read.iter().zip(truth).map(|(read, truth)| (read - truth).abs()).fold(0.0, f64::max);
