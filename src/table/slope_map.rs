@@ -50,8 +50,7 @@ impl Stored {
             Self::Halves => half_rounded(value.into()),
             Self::Parts { low, high } if low[channel] < high[channel] => {
                 let part = (value - low[channel]) / (high[channel] - low[channel]);
-                // To the nearest, by a cast: `round` is a call where no instruction for it may be assumed.
-                (part * STEPS + 0.5).clamp(0.0, STEPS + 0.5) as u16 as f32 / STEPS
+                (part * STEPS).round().clamp(0.0, STEPS) / STEPS
             }
             Self::Parts { .. } => 0.0,
         }
