@@ -177,7 +177,7 @@ pub fn slope_maps() -> Result<Vec<(&'static str, Scene)>> {
         ("slope_map_default", snow()),
         ("slope_map_unweighted", wheel().slope_tier(SlopeTier::Unweighted).slope_taps(SlopeTaps::One)),
         ("slope_map_gaussian", snow().slope_tier(SlopeTier::Gaussian).slope_taps(SlopeTaps::Three)),
-        ("slope_map_nine", snow().slope_tier(SlopeTier::Pair).slope_taps(SlopeTaps::Nine)),
+        ("slope_map_eleven", snow().slope_tier(SlopeTier::Pair).slope_taps(SlopeTaps::Eleven)),
         ("slope_map_pair", wheel().slope_tier(SlopeTier::Pair).slope_taps(SlopeTaps::Three)),
     ])
 }

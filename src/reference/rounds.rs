@@ -86,7 +86,7 @@ fn below(at: f64, deviation: f64) -> f64 {
 
 /// Errors of steps, and twice those of kinks, of a sum of normal distributions of the deviation `part`: pairs of a
 /// place and a weight, and one on the mean with the rest.
-fn errors(part: f64, pairs: [[f64; 2]; 3]) -> Vec<f64> {
+fn errors(part: f64, pairs: &[[f64; 2]]) -> Vec<f64> {
     let middle = 1.0 - 2.0 * pairs.iter().map(|pair| pair[1]).sum::<f64>();
     let sum = |of: &dyn Fn(f64) -> f64, at: f64| {
         pairs.iter().map(|[place, weight]| weight * (of(at - place) + of(at + place))).sum::<f64>() + middle * of(at)
@@ -96,8 +96,22 @@ fn errors(part: f64, pairs: [[f64; 2]; 3]) -> Vec<f64> {
     steps.chain(places().map(|at| 2.0 * (sum(&|from| below(from, part), at) - below(at, 1.0)))).collect()
 }
 
-/// Three pairs about one on the mean, as [`nearest`], but with the least sum of eighth powers of the errors of steps
-/// and of twice those of kinks, in deviations of the whole.
-pub fn seven(part: f64, from: [f64; 6]) -> [f64; 6] {
-    least(from, |[p, q, r, a, b, c]| errors(part, [[p, a], [q, b], [r, c]]))
+/// Pairs about one on the mean, as [`nearest`], but with the least sum of eighth powers of the errors of steps and of
+/// twice those of kinks, in deviations of the whole.
+pub fn smoothest<const N: usize>(part: f64, from: Pairs<N>) -> Pairs<N> {
+    least(from, |pairs| {
+        let (places, weights) = pairs.split_at(N / 2);
+        errors(part, &places.iter().zip(weights).map(|(&place, &weight)| [place, weight]).collect::<Vec<_>>())
+    })
+}
+
+/// Pairs with none on the mean, and the least sum as [`smoothest`]: one place more than there are weights, as the
+/// nearest pair has the rest.
+pub fn paired<const N: usize>(part: f64, from: [f64; N]) -> [f64; N] {
+    least(from, |numbers| {
+        let (places, weights) = numbers.split_at(N.div_ceil(2));
+        let rest = 0.5 - weights.iter().sum::<f64>();
+        let weights = std::iter::once(rest).chain(weights.iter().copied());
+        errors(part, &places.iter().zip(weights).map(|(&place, weight)| [place, weight]).collect::<Vec<_>>())
+    })
 }

@@ -12,8 +12,8 @@ use crate::transfer::slope_map::SlopeMap;
 use crate::Error;
 
 /// Tiers and reads from which an accuracy chooses: five reads are lost on one normal distribution, and three are too
-/// few for each of two where slopes vary twice as much across the view as along it. Seven lose nothing there, and nine
-/// little where they vary four times as much.
+/// few for each of two where slopes vary twice as much across the view as along it. Seven lose nothing there, and
+/// eleven little where they vary four times as much.
 const CHOICES: [(SlopeTier, SlopeTaps); 5] = [
     (SlopeTier::Gaussian, SlopeTaps::One),
     (SlopeTier::Gaussian, SlopeTaps::Three),
@@ -23,11 +23,11 @@ const CHOICES: [(SlopeTier, SlopeTaps); 5] = [
 ];
 
 /// The closest of them, for whoever asks for no accuracy.
-const CLOSEST: (SlopeTier, SlopeTaps) = (SlopeTier::Pair, SlopeTaps::Nine);
+const CLOSEST: (SlopeTier, SlopeTaps) = (SlopeTier::Pair, SlopeTaps::Eleven);
 
 /// Those from which it chooses where the scene names the other.
 const TIERS: [SlopeTier; 2] = [SlopeTier::Gaussian, SlopeTier::Pair];
-const TAPS: [SlopeTaps; 5] = [SlopeTaps::One, SlopeTaps::Three, SlopeTaps::Five, SlopeTaps::Seven, SlopeTaps::Nine];
+const TAPS: [SlopeTaps; 5] = [SlopeTaps::One, SlopeTaps::Three, SlopeTaps::Five, SlopeTaps::Seven, SlopeTaps::Eleven];
 
 impl Scene {
     /// Cs of a map of the whole slope: color by direction and steepness of the slopes of a rough surface that a view

@@ -12,8 +12,22 @@ const rounds_five_least = 0.16;
 /// The smallest part of seven.
 const rounds_seven_least = 0.12;
 
-/// The smallest part of nine.
-const rounds_nine_least = 0.09;
+/// The smallest part of ten and of eleven.
+const rounds_eleven_least = 0.07;
+
+/// Below this part eleven err by more than 5e-4 of a step, and the mean of ten and eleven by less on average: where the
+/// ones sum to too much the others sum to too little.
+const rounds_eleven_long = 0.25;
+
+/// Five pairs of round distributions.
+struct rounds_pairs {
+    /// Multiples of z a at which the inner four stand on either side of the mean, outwards.
+    places: vec4f,
+    /// The weights of each of both.
+    weights: vec4f,
+    /// Place and weight of the outermost.
+    outermost: vec2f,
+}
 
 /// Multiple of z a at which a round distribution stands on either side of a third on the mean, and the weight of each.
 ///
@@ -76,33 +90,47 @@ fn rounds_seven_weights(part: f32) -> vec3f {
     return vec3f(first, second, third);
 }
 
-/// Multiples of z a at which the four pairs of nine round distributions stand, outwards.
+/// The five pairs of ten round distributions.
 ///
-/// A step is off by up to 1.7e-2, 1.3e-3 for a quarter and 1e-4 for half of the major deviation.
+/// A step is off by up to 1.9e-2, 8e-4 for a quarter and 1e-4 for half of the major deviation.
 ///
-/// Source: as `rounds_three`, fit to the nearest pairs where the error is within 1e-4 of the least.
-/// Domain: part in [0.09, 0.3].
-/// Error: 3e-3 absolute; from the pairs with that error; above 0.3 many share it nearly.
-fn rounds_nine_places(part: f32) -> vec4f {
-    // From 0.35 on the same pairs serve all parts.
-    let q = clamp(part, rounds_nine_least, 0.35);
-    let first = 0.27498172 + q * (1.367855 + q * (0.71693102 * q - 1.1236824));
-    let second = 0.56382383 + q * (2.8466312 + q * (2.3285233 * q - 2.8236313));
-    let third = 0.95999447 + q * (3.4013202 + q * (0.56379369 - 4.8250152 * q));
-    let fourth = 1.5850893 + q * (3.4713958 + q * (3.932108 - 9.0827023 * q));
-    return vec4f(first, second, third, fourth);
+/// Source: as `rounds_seven_places`.
+/// Domain: part in [0.07, 0.3].
+/// Error: 3e-3 absolute; from the pairs with that sum.
+fn rounds_ten(part: f32) -> rounds_pairs {
+    // From 0.3 on the same pairs serve all parts.
+    let q = clamp(part, rounds_eleven_least, 0.3);
+    let first = 0.12430033 + q * (0.67855414 + q * (0.21186911 * q - 0.55352698));
+    let second = 0.38073396 + q * (2.0233649 + q * (0.5708793 * q - 1.5990234));
+    let third = 0.67004515 + q * (3.2405171 + q * (0.077048769 * q - 2.0306851));
+    let fourth = 1.0425333 + q * (4.1185367 - q * (1.0427762 + 2.240866 * q));
+    let fifth = 1.6977537 + q * (3.76351 + q * (4.187406 - 9.5723351 * q));
+    let next = 0.099516853 + q * (0.40487866 + q * (0.53993476 * q - 0.82456751));
+    let middle = 0.10239067 + q * (0.11457099 + q * (0.95088357 * q - 0.85356995));
+    let far = 0.10561944 + q * (q * (0.20572663 + 0.2743557 * q) - 0.33889532);
+    let farthest = 0.093645419 + q * (q * (1.9715915 - 1.9710716 * q) - 0.70889071);
+    let near = 0.5 - (next + middle + far + farthest);
+    return rounds_pairs(vec4f(first, second, third, fourth), vec4f(near, next, middle, far), vec2f(fifth, farthest));
 }
 
-/// The weights of each distribution of the four pairs of nine.
+/// The five pairs of eleven round distributions.
 ///
-/// Source: as `rounds_nine_places`.
-/// Domain: part in [0.09, 0.3].
-/// Error: 1.5e-3 absolute; as `rounds_nine_places`.
-fn rounds_nine_weights(part: f32) -> vec4f {
-    let q = clamp(part, rounds_nine_least, 0.35);
-    let first = 0.11002985 + q * (0.45660192 + q * (0.36142855 * q - 0.59631301));
-    let second = 0.10901629 + q * (0.24839114 + q * (0.6821724 * q - 0.9079861));
-    let third = 0.11815465 + q * (q * (0.12006839 * q + 0.11908548) - 0.28200042);
-    let fourth = 0.10974697 + q * (q * (1.6847122 - 1.3863326 * q) - 0.71461452);
-    return vec4f(first, second, third, fourth);
+/// A step is off by up to 1.6e-2, 5e-4 for a quarter and 1e-4 for half of the major deviation.
+///
+/// Source: as `rounds_seven_places`.
+/// Domain: part in [0.07, 0.3].
+/// Error: 3e-3 absolute; from the pairs with that sum.
+fn rounds_eleven(part: f32) -> rounds_pairs {
+    let q = clamp(part, rounds_eleven_least, 0.3);
+    let first = 0.2245709 + q * (1.4065388 + q * (1.012057 * q - 1.4849745));
+    let second = 0.46305539 + q * (2.7633903 + q * (1.6346476 * q - 2.7020794));
+    let third = 0.73611904 + q * (3.9939917 + q * (1.3876253 * q - 3.293338));
+    let fourth = 1.0928792 + q * (4.8694965 - q * (2.3492228 + 0.87950893 * q));
+    let fifth = 1.7317022 + q * (4.4098173 + q * (3.4581308 - 9.2070218 * q));
+    let near = 0.08918045 + q * (0.50987127 + q * (0.51599345 * q - 0.76040066));
+    let next = 0.090734959 + q * (0.33947409 + q * (0.91186451 * q - 1.0372647));
+    let middle = 0.094126028 + q * (0.019000528 + q * (1.0869298 * q - 0.77535093));
+    let far = 0.097206182 + q * (q * (0.6241718 - 0.21934856 * q) - 0.42865383);
+    let farthest = 0.084427426 + q * (q * (2.2508688 - 2.5035835 * q) - 0.72167525);
+    return rounds_pairs(vec4f(first, second, third, fourth), vec4f(near, next, middle, far), vec2f(fifth, farthest));
 }

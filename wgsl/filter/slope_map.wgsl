@@ -104,22 +104,42 @@ fn slope_map_seven(mean: vec2f, stretch: footprint_stretch, per_slope: f32, bend
     return rest * middle + weights.x * a + weights.y * b + weights.z * c;
 }
 
-/// Mean of a map over a normal distribution of slopes, by nine round ones on its major axis.
+/// Mean of a map over a normal distribution of slopes, by ten round ones on its major axis.
 ///
-/// Source: `rounds_nine_places`.
+/// Source: `rounds_ten`.
 /// Domain: mean in [-1.5, 1.5], stretch from footprint_stretched, per_slope in [0.396875, 0.396875],
 ///   bend in [0.4, 0.4], per_deviation in [24, 24], per_octave in [0.25672624, 0.25672624].
 /// Error: 1e-3 absolute; of the table, for a random map of 2 × 2 cells and axes of ratios up to 3.
-fn slope_map_nine(mean: vec2f, stretch: footprint_stretch, per_slope: f32, bend: f32, per_deviation: f32,
+fn slope_map_ten(mean: vec2f, stretch: footprint_stretch, per_slope: f32, bend: f32, per_deviation: f32,
     per_octave: f32, table: texture_3d<f32>, table_sampler: sampler) -> vec4f {
-    let places = rounds_nine_places(stretch.part);
-    let weights = rounds_nine_weights(stretch.part);
+    let pairs = rounds_ten(stretch.part);
+    let slice = slope_map_slice(stretch.deviation, per_deviation, per_octave);
+    let a = slope_map_sides(mean, pairs.places.x * stretch.away, slice, per_slope, bend, table, table_sampler);
+    let b = slope_map_sides(mean, pairs.places.y * stretch.away, slice, per_slope, bend, table, table_sampler);
+    let c = slope_map_sides(mean, pairs.places.z * stretch.away, slice, per_slope, bend, table, table_sampler);
+    let d = slope_map_sides(mean, pairs.places.w * stretch.away, slice, per_slope, bend, table, table_sampler);
+    let e = slope_map_sides(mean, pairs.outermost.x * stretch.away, slice, per_slope, bend, table, table_sampler);
+    let w = pairs.weights;
+    return w.x * a + w.y * b + w.z * c + w.w * d + pairs.outermost.y * e;
+}
+
+/// Mean of a map over a normal distribution of slopes, by eleven round ones on its major axis.
+///
+/// Source: `rounds_eleven`.
+/// Domain: mean in [-1.5, 1.5], stretch from footprint_stretched, per_slope in [0.396875, 0.396875],
+///   bend in [0.4, 0.4], per_deviation in [24, 24], per_octave in [0.25672624, 0.25672624].
+/// Error: 1e-3 absolute; of the table, for a random map of 2 × 2 cells and axes of ratios up to 3.
+fn slope_map_eleven(mean: vec2f, stretch: footprint_stretch, per_slope: f32, bend: f32, per_deviation: f32,
+    per_octave: f32, table: texture_3d<f32>, table_sampler: sampler) -> vec4f {
+    let pairs = rounds_eleven(stretch.part);
     let slice = slope_map_slice(stretch.deviation, per_deviation, per_octave);
     let middle = slope_map_read(mean, slice, per_slope, bend, table, table_sampler);
-    let a = slope_map_sides(mean, places.x * stretch.away, slice, per_slope, bend, table, table_sampler);
-    let b = slope_map_sides(mean, places.y * stretch.away, slice, per_slope, bend, table, table_sampler);
-    let c = slope_map_sides(mean, places.z * stretch.away, slice, per_slope, bend, table, table_sampler);
-    let d = slope_map_sides(mean, places.w * stretch.away, slice, per_slope, bend, table, table_sampler);
-    let rest = 1.0 - 2.0 * dot(weights, vec4f(1.0));
-    return rest * middle + weights.x * a + weights.y * b + weights.z * c + weights.w * d;
+    let a = slope_map_sides(mean, pairs.places.x * stretch.away, slice, per_slope, bend, table, table_sampler);
+    let b = slope_map_sides(mean, pairs.places.y * stretch.away, slice, per_slope, bend, table, table_sampler);
+    let c = slope_map_sides(mean, pairs.places.z * stretch.away, slice, per_slope, bend, table, table_sampler);
+    let d = slope_map_sides(mean, pairs.places.w * stretch.away, slice, per_slope, bend, table, table_sampler);
+    let e = slope_map_sides(mean, pairs.outermost.x * stretch.away, slice, per_slope, bend, table, table_sampler);
+    let w = pairs.weights;
+    let rest = 1.0 - 2.0 * (dot(w, vec4f(1.0)) + pairs.outermost.y);
+    return rest * middle + w.x * a + w.y * b + w.z * c + w.w * d + pairs.outermost.y * e;
 }

@@ -3,7 +3,7 @@
 
 use std::sync::OnceLock;
 
-use prefilter::reference::rounds::{nearest, seven};
+use prefilter::reference::rounds::{nearest, paired, smoothest};
 
 use super::Row;
 
@@ -16,7 +16,7 @@ struct Nearest<const N: usize> {
 
 /// The places times a factor, the weights as they are.
 fn placed<const N: usize>(mut pairs: [f64; N], factor: f64) -> [f64; N] {
-    pairs[..N / 2].iter_mut().for_each(|place| *place *= factor);
+    pairs[..N.div_ceil(2)].iter_mut().for_each(|place| *place *= factor);
     pairs
 }
 
@@ -56,17 +56,22 @@ pub(super) fn three(part: f64) -> [f64; 2] {
 pub(super) fn rows() -> Vec<Row> {
     static FIVE: OnceLock<Nearest<4>> = OnceLock::new();
     static SEVEN: OnceLock<Nearest<6>> = OnceLock::new();
-    static NINE: OnceLock<Nearest<8>> = OnceLock::new();
+    static TEN: OnceLock<Nearest<9>> = OnceLock::new();
+    static ELEVEN: OnceLock<Nearest<10>> = OnceLock::new();
     let seven = |part: f64| {
         let start = [0.722, 1.49, 2.408, 0.2348, 0.0946, 0.015];
-        SEVEN.get_or_init(|| Nearest::new(0.4, 0.01, 30, start, seven)).at(part)
+        SEVEN.get_or_init(|| Nearest::new(0.4, 0.01, 30, start, smoothest)).at(part)
     };
-    let nine = |part: f64| {
-        let start = [0.574, 1.168, 1.816, 2.609, 0.2025, 0.1213, 0.0474, 0.0096];
-        NINE.get_or_init(|| Nearest::new(0.3, 0.002, 107, start, nearest)).at(part)
+    // Above, places and weights for a part of 0.3.
+    let ten = |part: f64| {
+        let start = [0.284, 0.86, 1.462, 2.125, 2.947, 0.1614, 0.0856, 0.0298, 0.0052];
+        TEN.get_or_init(|| Nearest::new(0.3, 0.01, 25, start, paired)).at(part)
+    };
+    let eleven = |part: f64| {
+        let start = [0.54, 1.093, 1.676, 2.319, 3.119, 0.1877, 0.1238, 0.0593, 0.0188, 0.003];
+        ELEVEN.get_or_init(|| Nearest::new(0.3, 0.01, 25, start, smoothest)).at(part)
     };
     let third = |pairs: [f64; 6], from: usize| -> [f64; 3] { std::array::from_fn(|number| pairs[from + number]) };
-    let half = |pairs: [f64; 8], from: usize| -> [f64; 4] { std::array::from_fn(|number| pairs[from + number]) };
     vec![
         Row::new("rounds_three", |x| three(x[0])),
         Row::new("rounds_five", |x| {
@@ -74,7 +79,13 @@ pub(super) fn rows() -> Vec<Row> {
         }),
         Row::new("rounds_seven_places", move |x| third(seven(x[0]), 0)),
         Row::new("rounds_seven_weights", move |x| third(seven(x[0]), 3)),
-        Row::new("rounds_nine_places", move |x| half(nine(x[0]), 0)),
-        Row::new("rounds_nine_weights", move |x| half(nine(x[0]), 4)),
+        Row::new("rounds_ten", move |x| {
+            let [p, q, r, s, t, b, c, d, e] = ten(x[0]);
+            [p, q, r, s, 0.5 - (b + c + d + e), b, c, d, t, e]
+        }),
+        Row::new("rounds_eleven", move |x| {
+            let [p, q, r, s, t, a, b, c, d, e] = eleven(x[0]);
+            [p, q, r, s, a, b, c, d, t, e]
+        }),
     ]
 }

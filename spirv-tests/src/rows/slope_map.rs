@@ -20,7 +20,8 @@ fn map() -> (Bilinear, Table) {
 }
 
 /// The functions of so many reads.
-const NAMES: [&str; 5] = ["slope_map_one", "slope_map_three", "slope_map_five", "slope_map_seven", "slope_map_nine"];
+const NAMES: [&str; 6] =
+    ["slope_map_one", "slope_map_three", "slope_map_five", "slope_map_seven", "slope_map_ten", "slope_map_eleven"];
 
 /// The deviation of a slice: the largest, ½, is that of the last of 20, and a twelfth of it the logarithm's unit.
 fn deviation(slice: f64) -> f64 {

@@ -90,8 +90,8 @@ fn scenes_of_steepness_refuse_what_they_would_ignore() -> Outcome {
     assert!(conflict(scene()?.slope_tier(SlopeTier::Unweighted)).contains("goes without a tier of slopes"));
     let closed = conflict(scene()?.accuracy(Accuracy::max_filter_error(1.0).without_tables()));
     assert!(closed.contains("needs a table"), "{closed}");
-    let none = conflict(scene()?.slope_tier(SlopeTier::Pair).slope_taps(SlopeTaps::Nine));
-    assert!(none.contains("a `steepness` goes without two normal distributions by nine reads"), "{none}");
+    let none = conflict(scene()?.slope_tier(SlopeTier::Pair).slope_taps(SlopeTaps::Eleven));
+    assert!(none.contains("a `steepness` goes without two normal distributions by eleven reads"), "{none}");
     // The accuracy chooses, and asks for what there is none of.
     for (error, label) in
         [(0.35, "one distribution of Rice"), (0.15, "three distributions of Rice"), (0.08, "ten distributions of Rice")]

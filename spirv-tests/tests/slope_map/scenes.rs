@@ -91,7 +91,7 @@ fn random_maps_keep_their_bounds() -> Outcome {
             (SlopeTier::Pair, SlopeTaps::Three),
             (SlopeTier::Pair, SlopeTaps::Five),
             (SlopeTier::Pair, SlopeTaps::Seven),
-            (SlopeTier::Pair, SlopeTaps::Nine),
+            (SlopeTier::Pair, SlopeTaps::Eleven),
         ] {
             let scene = Scene::new("judged").slope_map(map.clone()).slope_tier(tier).slope_taps(taps);
             let (bound, [found, _, _]) = (scene.module()?.bound(), errors(&device, &scene, &map, &calls)?);
@@ -146,7 +146,7 @@ fn limits_are_the_map_itself() -> Outcome {
     let color = [0.25, 0.5, 0.75];
     let flat = SlopeMap::from_texels(3, 1.0, &[color; 9])?;
     let ramp = SlopeMap::from_function(128, SlopeDomain::All, |[x, y]| [x.clamp(-1.0, 1.0), y.clamp(-1.0, 1.0), 0.5])?;
-    for taps in [SlopeTaps::One, SlopeTaps::Three, SlopeTaps::Five, SlopeTaps::Seven, SlopeTaps::Nine] {
+    for taps in [SlopeTaps::One, SlopeTaps::Three, SlopeTaps::Five, SlopeTaps::Seven, SlopeTaps::Eleven] {
         let scene =
             |map: &SlopeMap| Scene::new("plain").slope_map(map.clone()).slope_tier(SlopeTier::Pair).slope_taps(taps);
         let module = scene(&flat).module()?;

@@ -75,7 +75,7 @@ pub(super) fn slope_map(random: &mut Random, count: usize) -> Result<Case, Error
     let (most, largest) = (f64::from(ranges.deviation), f64::from(largest_mean(ranges)));
     let mean = |random: &mut Random, _| [(); 2].map(|()| largest * (2.0 * random.unit() - 1.0));
     let pixels = pixel::slopes(random, [0.2401 * most, most], mean, count);
-    let finest = scene.clone().slope_tier(SlopeTier::Pair).slope_taps(SlopeTaps::Nine);
+    let finest = scene.clone().slope_tier(SlopeTier::Pair).slope_taps(SlopeTaps::Eleven);
     let truth = Truth::Slopes(map.reference());
     Ok(Case { filter: Filter::SlopeMap, scene, finest: Some(finest), pixels, truth })
 }

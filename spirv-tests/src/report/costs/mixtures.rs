@@ -39,7 +39,7 @@ fn slopes(map: &ColorMap) -> Result<Vec<Entry>, Error> {
         (SlopeTier::Gaussian, SlopeTaps::Three),
         (SlopeTier::Pair, SlopeTaps::Five),
         (SlopeTier::Pair, SlopeTaps::Seven),
-        (SlopeTier::Pair, SlopeTaps::Nine),
+        (SlopeTier::Pair, SlopeTaps::Eleven),
     ] {
         let scene = Scene::new("judged").slope_map(snow.clone()).slope_tier(tier).slope_taps(taps);
         entries.push(("map of slopes", format!("{tier} by {taps}, a table"), scene.module()?));

@@ -65,7 +65,7 @@ fn case(snow: &Snow) -> Result<Case, Error> {
         of(Role::Tier, SlopeTier::Gaussian, SlopeTaps::Three)?,
         of(Role::Tier, SlopeTier::Pair, SlopeTaps::Five)?,
         of(Role::Tier, SlopeTier::Pair, SlopeTaps::Seven)?,
-        of(Role::Tier, SlopeTier::Pair, SlopeTaps::Nine)?,
+        of(Role::Tier, SlopeTier::Pair, SlopeTaps::Eleven)?,
     ];
     Ok(Case {
         stem: format!("slope_map_{}", snow.name.replace(' ', "_")),
