@@ -51,7 +51,9 @@ fn footprint_covariance_round(dpdx: vec2f, dpdy: vec2f, pixel_deviation: f32) ->
 /// Error: 6e-6 absolute; f32 rounding, the minor deviation through the determinant.
 fn footprint_deviations(covariance: vec3f) -> vec2f {
     let scale = clamp(max(covariance.x, covariance.z), 1e-30, 1e36);
-    let c = clamp(covariance / scale, vec3f(-1.0), vec3f(1.0));
+    // One quotient for all: those of three may be off by different parts, of which the determinant leaves 5e-4.
+    let inverse = 1.0 / scale;
+    let c = clamp(covariance * inverse, vec3f(-1.0), vec3f(1.0));
     let major = 0.5 * (c.x + c.z) + length(vec2f(0.5 * (c.x - c.z), c.y));
     let minor = max(c.x * c.z - c.y * c.y, 0.0) / max(major, 0.5);
     return sqrt(vec2f(max(major, 0.0), minor) * scale);

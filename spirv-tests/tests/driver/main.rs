@@ -9,6 +9,7 @@ mod indicators;
 mod pairs;
 mod passes;
 mod pyramids;
+mod quotients;
 mod references;
 mod roughness;
 mod slope_colors;
