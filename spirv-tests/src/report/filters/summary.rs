@@ -103,7 +103,7 @@ pub fn asked(done: &[Done]) -> Table {
     }
     let caption = "What was asked of what a scene without settings chooses: of GPUs the time over that of the naive \
         map behind the same driver, of every device the speed over stratified samples wherever more than 100 are \
-        needed. Maps of the whole slope read a table 13 times, and those of a curve's heights find what hides them.";
+        needed. Maps of the whole slope read a table 26 times, and those of a curve's heights find what hides them.";
     let columns = ["filter", "asked, ratios of a GPU", "on this device", "within"].map(str::to_owned).to_vec();
     Table { stem: "filters_asked".to_owned(), caption: caption.to_owned(), columns, rows }
 }
