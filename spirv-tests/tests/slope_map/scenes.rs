@@ -180,7 +180,7 @@ fn the_accuracy_chooses_among_tiers_and_reads() -> Outcome {
     assert!(matches!(scene(1e-3).module(), Err(Error::Accuracy { .. })));
     // Whoever asks for none takes the closest.
     let closest = Scene::new("rock").slope_map(map.clone()).module()?;
-    assert!(closest.explain().starts_with("rock: slope map (Cs) by two normal distributions by nine reads"));
+    assert!(closest.explain().starts_with("rock: slope map (Cs) by two normal distributions by eleven reads"));
     assert!(closest.explain().contains("at most twice as large along an axis as across"), "{}", closest.explain());
     let named = Scene::new("rock").slope_map(map.clone()).slope_tier(SlopeTier::Pair).slope_taps(SlopeTaps::One);
     assert!(named.module()?.explain().contains("chosen  the scene names this tier"));
