@@ -12,10 +12,13 @@ use crate::transfer::polynomial::Piece;
 /// of which cells on several slopes lie at one height.
 const WIDEST: [f64; 2] = [0.16, 0.12];
 
-/// By how much the logarithm of the density of f falls over a cell, at most.
-const FALL: f64 = 0.6;
+/// By how much the logarithm of the density of f falls over a cell, at most: where most values are, and far from there.
+const FALLS: [f64; 2] = [0.6, 1.5];
 
-/// Beyond this many deviations of f there are 2e-11 of its values.
+/// Beyond this many deviations of f there are 7e-6 of its values.
+const SELDOM: f64 = 4.5;
+
+/// Beyond this many there are 2e-11. Where all else is level, they alone hide.
 pub(super) const REACH: f64 = 6.7;
 
 /// What is left where the rest no longer counts.
@@ -37,6 +40,24 @@ struct Stretch {
     height: f64,
     /// The color there, and its change with the height.
     line: [[f64; 4]; 2],
+}
+
+/// An end of cells.
+#[derive(Clone, Copy)]
+struct End {
+    /// Where it is, in deviations of f.
+    at: f64,
+    /// How many of all values lie below.
+    below: f64,
+    /// The density there to the power of how far the nodes of a cell are apart: of two ends the one over the other is
+    /// how much it falls between the nodes.
+    density: f64,
+}
+
+impl End {
+    fn new(at: f64) -> Self {
+        Self { at, below: cumulative(at), density: (-0.5 * BETWEEN * at * at).exp() }
+    }
 }
 
 /// A part of the values of f, between two places where nothing bends.
@@ -70,7 +91,7 @@ pub(super) struct Layers<'a> {
     /// By rising values.
     stretches: Vec<Stretch>,
     /// The ends of cells besides the stretches'.
-    ends: &'static [[f64; 2]],
+    ends: &'static [End],
 }
 
 impl<'a> Layers<'a> {
@@ -103,10 +124,8 @@ impl<'a> Layers<'a> {
             return vec![self.stretches[stretch].at(self.curve, mean).2; hiding.lambdas().len()];
         }
         let mut cells = self.cells(mean, deviation);
-        if self.rises {
-            cells.reverse();
-        } else {
-            cells.sort_by(|a, b| b.height.total_cmp(&a.height));
+        if !self.rises {
+            cells.sort_by(|a, b| a.height.total_cmp(&b.height));
         }
         seen(&cells, hiding)
     }
@@ -117,12 +136,12 @@ impl<'a> Layers<'a> {
         let mut ends = self.ends[1..].iter().copied().peekable();
         for stretch in &self.stretches {
             let to = (stretch.to - mean) / deviation;
-            if to <= from[0] {
+            if to <= from.at {
                 continue;
             }
-            let to = if to < last[0] { [to, cumulative(to)] } else { last };
-            let mut cell = |ends: [[f64; 2]; 2]| cells.push(stretch.cell(self.curve, [mean, deviation], ends));
-            while let Some(end) = ends.next_if(|end| end[0] < to[0]) {
+            let to = if to < last.at { End::new(to) } else { last };
+            let mut cell = |ends: [End; 2]| cells.push(stretch.cell(self.curve, [mean, deviation], ends));
+            while let Some(end) = ends.next_if(|end| end.at < to.at) {
                 // What is level is one cell.
                 if !stretch.level {
                     cell([from, end]);
@@ -131,7 +150,7 @@ impl<'a> Layers<'a> {
             }
             cell([from, to]);
             from = to;
-            if from[0] >= last[0] {
+            if from.at >= last.at {
                 break;
             }
         }
@@ -164,39 +183,33 @@ impl Stretch {
     }
 
     /// The cell between two ends within it.
-    fn cell(
-        &self,
-        curve: &HeightTransfer,
-        [mean, deviation]: [f64; 2],
-        [[from, below], [to, next]]: [[f64; 2]; 2],
-    ) -> Cell {
-        let at = NODES.map(|part| self.at(curve, mean + deviation * (from + part * (to - from))));
-        let mut rise = 0.5 * (from * from - to * to);
-        let [mut low, mut high] = at;
+    fn cell(&self, curve: &HeightTransfer, [mean, deviation]: [f64; 2], [from, to]: [End; 2]) -> Cell {
+        let at = NODES.map(|part| self.at(curve, mean + deviation * (from.at + part * (to.at - from.at))));
+        let ([mut low, mut high], mut fall) = (at, from.density / to.density);
         if high.0 < low.0 {
             (low, high) = (high, low);
-            rise = -rise;
+            fall = to.density / from.density;
         }
         let more = std::array::from_fn(|channel| high.2[channel] - low.2[channel]);
         Cell {
             height: 0.5 * (low.0 + high.0),
-            share: next - below,
+            share: to.below - from.below,
             steepness: [low.1.abs(), high.1.abs()],
-            fall: (-BETWEEN * rise).exp(),
+            fall,
             colors: [low.2, more],
         }
     }
 }
 
-/// The mean colors of cells from the top.
+/// The mean colors of cells, of which the last is on top.
 fn seen(cells: &[Cell], hiding: &Hiding) -> Vec<[f64; 4]> {
     let total: f64 = cells.iter().map(|cell| cell.share * cell.mean()).sum();
     // Colors are summed up less that of the lowest cell, so that a channel that is the same everywhere costs nothing;
     // by channels, so that the Λ of each stand next to each other.
-    let lowest = cells.last().map_or([0.0; 4], |cell| cell.colors[0]);
+    let lowest = cells.first().map_or([0.0; 4], |cell| cell.colors[0]);
     let (mut sums, mut seen) = ([[0.0; MOST]; 4], [1.0f64; MOST]);
     let (mut below, mut depth, mut count) = (1.0f64, 0.0, hiding.lambdas().len());
-    for cell in cells {
+    for cell in cells.iter().rev() {
         let rest = (below - cell.share).max(0.0);
         let relative = |steepness: f64| if total > 0.0 { steepness / total } else { 1.0 };
         let mean = relative(cell.mean());
@@ -242,15 +255,16 @@ fn add(sums: &mut [[f64; MOST]; 4], color: [f64; 4], shares: &[f64]) {
     }
 }
 
-/// The ends of cells in deviations of f, with the probabilities below them.
-fn ends(monotone: bool) -> &'static [[f64; 2]] {
-    static ENDS: OnceLock<[Vec<[f64; 2]>; 2]> = OnceLock::new();
+/// The ends of cells where nothing bends.
+fn ends(monotone: bool) -> &'static [End] {
+    static ENDS: OnceLock<[Vec<End>; 2]> = OnceLock::new();
     let [few, many] = ENDS.get_or_init(|| {
         WIDEST.map(|widest| {
-            let next = |z: &f64| (*z < REACH).then(|| (z + widest.min(FALL / z)).min(REACH));
+            let fall = |z: f64| FALLS[usize::from(z >= SELDOM)] / z;
+            let next = |&z: &f64| (z < REACH).then(|| (z + widest.min(fall(z))).min(REACH));
             let above: Vec<f64> = std::iter::successors(Some(0.0), next).collect();
             let below = above.iter().skip(1).rev().map(|z| -z);
-            below.chain(above.iter().copied()).map(|z| [z, cumulative(z)]).collect()
+            below.chain(above.iter().copied()).map(End::new).collect()
         })
     });
     if monotone {

@@ -50,7 +50,7 @@ impl Stored {
             Self::Halves => half_rounded(value.into()),
             Self::Parts { low, high } if low[channel] < high[channel] => {
                 let part = (value - low[channel]) / (high[channel] - low[channel]);
-                (part * STEPS).round().clamp(0.0, STEPS) / STEPS
+                f32::from((part * STEPS + 0.5) as u16) / STEPS
             }
             Self::Parts { .. } => 0.0,
         }
@@ -163,9 +163,10 @@ impl Plan<'_> {
         let mut worst = [0.0; 3];
         sheet.means([&sums[0], &sums[1]], |row, column, near| {
             let read = read[row * columns.len() + column];
-            let error = read.iter().zip(near).map(|(read, near)| (read - near).abs()).fold(0.0, f32::max);
-            if error > worst[0] {
-                worst = [error, columns[column] as f32, centers[row] as f32];
+            let errors: [f32; 4] = std::array::from_fn(|channel| (read[channel] - near[channel]).abs());
+            // Few are worse than all before.
+            if errors.iter().any(|&error| error > worst[0]) {
+                worst = [errors.into_iter().fold(0.0, f32::max), columns[column] as f32, centers[row] as f32];
             }
         });
         worst
