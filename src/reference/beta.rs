@@ -64,7 +64,7 @@ impl Beta {
         // Over its value at the mean, and how wide it is.
         let density = |t: f64| libm::exp(a * (t - center) - both * softened(t - center, self.share));
         let width = (1.0 / a + 1.0 / b).sqrt();
-        let (from, to) = ((center - 14.0 * width - 40.0 / a).max(-LAST), (center + 14.0 * width + 40.0 / b).min(LAST));
+        let (from, to) = ((center - 9.0 * width - 40.0 / a).max(-LAST), (center + 9.0 * width + 40.0 / b).min(LAST));
         let value = |t: f64| low + self.span / (1.0 + libm::exp(-t));
         let mut sum = [0.0; 5];
         let mut add = |weight: f64, color: [f64; 4]| {
@@ -76,7 +76,7 @@ impl Beta {
         let places = inside.map(|x| libm::log(x) - libm::log1p(-x)).filter(|t| *t > from && *t < to);
         let edges: Vec<f64> = [from].into_iter().chain(places).chain([to]).collect();
         for edge in edges.windows(2) {
-            let piece: [f64; 5] = integrate(edge[0], edge[1], width.min(2.0), |t| {
+            let piece: [f64; 5] = integrate(edge[0], edge[1], 2.0 * width.min(1.0), |t| {
                 let (weight, color) = (density(t), map.value(value(t)));
                 std::array::from_fn(|channel| if channel < 4 { weight * color[channel] } else { weight })
             });
