@@ -62,7 +62,8 @@ fn digits(number: f64) -> String {
     rounded(number, 3)
 }
 
-fn rounded(number: f64, digits: i32) -> String {
+/// A number with so many digits.
+pub(crate) fn rounded(number: f64, digits: i32) -> String {
     let size = number.abs();
     if number == 0.0 || !number.is_finite() {
         return format!("{number}");

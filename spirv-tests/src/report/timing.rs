@@ -3,11 +3,12 @@
 //! On a device that is a processor, clocks and neighbors change between runs by more than kernels differ. All take
 //! turns in one run, and the fastest of many turns of each is what nothing disturbed.
 
+use super::Extent;
 use prefilter::gpu::Dispatch;
 use prefilter::Error;
 
-/// Turns that a ratio of two kernels is stated from.
-pub const TURNS: usize = 31;
+/// Turns that a ratio of two kernels is stated from, in a quick report and in a full one.
+const TURNS: [usize; 2] = [7, 31];
 
 /// At most so many invocations are timed: more than a GPU takes at once by some times.
 const MOST: usize = 1 << 21;
@@ -71,14 +72,15 @@ pub fn repeated(numbers: &[f32], points: usize, count: usize) -> Vec<f32> {
     numbers.iter().copied().cycle().take(count * numbers.len() / points).collect()
 }
 
-/// Seconds of the fastest of `turns` runs of each kernel, which take turns, backwards in every other round, after one
-/// that is not timed.
+/// Seconds of the fastest of 31 runs of each kernel, of 7 in a quick report, which take turns, backwards in every other
+/// round, after one that is not timed.
 ///
 /// # Errors
 /// What the device refuses.
-pub fn fastest(kernels: &[Dispatch], turns: usize) -> Result<Vec<f64>, Error> {
+pub fn fastest(kernels: &[Dispatch], extent: Extent) -> Result<Vec<f64>, Error> {
+    let [few, many] = TURNS;
     let mut seconds = vec![f64::INFINITY; kernels.len()];
-    for turn in 0..=turns {
+    for turn in 0..=extent.pick(few, many) {
         let mut order: Vec<usize> = (0..kernels.len()).collect();
         if turn % 2 == 1 {
             order.reverse();

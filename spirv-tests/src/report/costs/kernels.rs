@@ -4,7 +4,7 @@ use crate::random::Random;
 use crate::report::filters::case::{Role, Row};
 use crate::report::filters::height;
 use crate::report::filters::pixel::{Drawn, Pixel};
-use crate::report::timing::{fastest, filling, repeated, TURNS};
+use crate::report::timing::{fastest, filling, repeated};
 use crate::report::{Bench, Error};
 use prefilter::Module;
 
@@ -32,7 +32,7 @@ pub fn times(bench: &Bench<'_>, modules: &[Module]) -> Result<Vec<f64>, Error> {
         counts.push(count);
     }
     (bench.done)(1);
-    let seconds = fastest(&dispatches, TURNS)?;
+    let seconds = fastest(&dispatches, bench.extent)?;
     (bench.done)(1);
     Ok(seconds.into_iter().zip(counts).map(|(seconds, count)| 1e9 * seconds / count as f64).collect())
 }

@@ -11,11 +11,11 @@ use super::document::{Item, Section};
 use super::{Bench, Error, Extent};
 
 /// What the figures are of.
-const ABOUT: &str =
-    "Times are those of kernels that read a pixel's statistics and write its color, all of a table or a \
-    plot by turns in one run, the fastest of 31 turns each; on a processor by one thread. A weight is the number by \
-    which the lightest tier within an accuracy is chosen: operations, and for each fetch as many as \
-    the table of functions says.";
+const ABOUT: &str = "\
+    Times are those of kernels that read a pixel's statistics and write its color, all of a table or a plot by turns \
+    in one run, the fastest of 31 turns each, of 7 in a quick report; on a processor by one thread. A weight is the \
+    number by which the lightest tier within an accuracy is chosen: operations, and for each fetch as many as the \
+    table of functions says.";
 
 /// Steps of the progress bar.
 pub fn steps(_: Extent) -> u64 {

@@ -4,7 +4,8 @@ use super::fit::{fit, rank_correlation, Fit};
 use crate::exports::ExportKernel;
 use crate::random::Random;
 use crate::report::document::{Axis, Cell, Item, Plot, Series, Table};
-use crate::report::timing::{fastest, filling, repeated, TURNS};
+use crate::report::markdown::rounded;
+use crate::report::timing::{fastest, filling, repeated};
 use crate::report::{Bench, Error};
 use crate::scenes;
 use prefilter::{Export, Module};
@@ -85,7 +86,7 @@ pub fn items(bench: &Bench<'_>) -> Result<Vec<Item>, Error> {
         kept.push((name, module));
     }
     (bench.done)(1);
-    let seconds = fastest(&dispatches, TURNS)?;
+    let seconds = fastest(&dispatches, bench.extent)?;
     (bench.done)(1);
     let pairs: Vec<[f64; 2]> = kept
         .iter()
@@ -125,13 +126,13 @@ fn said(modules: &[(&str, Module)], pairs: &[[f64; 2]]) -> String {
     };
     let all: Vec<[f64; 3]> = modules.iter().zip(pairs).map(of).collect();
     let Fit { base, operation, fetch } = fit(&all);
+    let [base, picoseconds, each] = [base, 1e3 * operation, fetch].map(|time| rounded(time, 2));
     format!(
         "Of {} modules weights and times have a rank correlation of {:.3}. Weights take the longer side of every \
          branch and all turns of a loop, times those that pixels take. The fit with the least relative errors has \
-         {base:.1} ns a pixel, {:.1} ps an operation and {fetch:.2} ns a fetch, as much as {:.0} operations.",
+         {base} ns a pixel, {picoseconds} ps an operation and {each} ns a fetch, as much as {:.0} operations.",
         pairs.len(),
         rank_correlation(pairs),
-        1e3 * operation,
         fetch / operation
     )
 }

@@ -1,7 +1,7 @@
 //! What functions cost, in multiply-adds, beside what they count as where tiers are chosen.
 
 use crate::report::document::{Cell, Item, Table};
-use crate::report::timing::{fastest, filling, repeated, TURNS};
+use crate::report::timing::{fastest, filling, repeated};
 use crate::report::{Bench, Error};
 use prefilter::gpu::{Address, Dispatch, Kernel, Texture, Work};
 use prefilter::table::{Format, Level, Sampling};
@@ -122,7 +122,7 @@ pub fn items(bench: &Bench<'_>) -> Result<Vec<Item>, Error> {
         dispatches.push(dispatch(&statements(expression, STATEMENTS))?);
     }
     (bench.done)(1);
-    let seconds = fastest(&dispatches, TURNS)?;
+    let seconds = fastest(&dispatches, bench.extent)?;
     (bench.done)(1);
     // Four times as many multiply-adds more are four to each of the statements.
     let each = (seconds[1] - seconds[0]) / 4.0;

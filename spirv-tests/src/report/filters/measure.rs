@@ -8,7 +8,7 @@ use crate::exports::ExportKernel;
 use crate::gap::figure::{over_seeds, Figure};
 use crate::imaging::measure::{sizes, worst};
 use crate::random::Random;
-use crate::report::timing::{fastest, filling, repeated, TURNS};
+use crate::report::timing::{fastest, filling, repeated};
 use crate::report::{Bench, Error};
 use prefilter::gpu::Dispatch;
 
@@ -83,7 +83,7 @@ pub fn measure(bench: &Bench<'_>, case: &Case) -> Result<Measured, Error> {
     let runs = runs(bench, case, &all)?;
     (bench.done)(1);
     let dispatches: Vec<Dispatch> = runs.iter().map(|run| run.timed.clone()).collect();
-    let seconds = fastest(&dispatches, TURNS)?;
+    let seconds = fastest(&dispatches, bench.extent)?;
     (bench.done)(1);
     let times = seconds.iter().zip(&runs).map(|(seconds, run)| 1e9 * seconds / run.pixels as f64);
     let times: Vec<f64> = times.collect();

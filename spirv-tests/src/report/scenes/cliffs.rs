@@ -16,7 +16,7 @@ use crate::imaging::pixel::Pixel;
 use crate::imaging::taps::ALL_TAPS;
 use crate::imaging::view::View;
 use crate::report::document::Item;
-use crate::report::timing::{self, TURNS};
+use crate::report::timing;
 use crate::report::{Bench, Error, Extent};
 use prefilter::Module;
 
@@ -124,7 +124,7 @@ fn measured(amount: &Amount, stage: &Mountains<'_>, materials: &Materials, shots
     let times = timing::times_over(known.len(), |times| first.prepare(&known.repeat(times)))?;
     let known = known.repeat(times);
     let kernels = stage.renderers[0].iter().map(|renderer| renderer.prepare(&known));
-    let seconds = timing::fastest(&kernels.collect::<Result<Vec<_>, Error>>()?, TURNS)?;
+    let seconds = timing::fastest(&kernels.collect::<Result<Vec<_>, Error>>()?, stage.bench.extent)?;
     let (taps, sky) = (known.len() as f64, stage.scenery.skies[0]);
     let ([colors, light], plain) = (modules(materials, sky)?, plain(materials, sky)?);
     let entry = |(number, method): (usize, Method)| {

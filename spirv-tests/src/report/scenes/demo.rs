@@ -14,7 +14,7 @@ use crate::imaging::picture::Picture;
 use crate::random::Random;
 use crate::report::cache;
 use crate::report::document::Item;
-use crate::report::timing::{self, TURNS};
+use crate::report::timing;
 use crate::report::{Bench, Error, Extent};
 use prefilter::Taps;
 
@@ -154,7 +154,7 @@ fn measured(
     for &taps in &taps {
         kernels.push(Renderer::naive(bench.timed, input, taps)?.prepare(&plane)?);
     }
-    let seconds = timing::fastest(&kernels, TURNS)?;
+    let seconds = timing::fastest(&kernels, bench.extent)?;
     let seconds: Vec<f64> = seconds.iter().map(|seconds| seconds / (size[0] * size[1]) as f64).collect();
     let naive = |method: Method| match method {
         Method::Naive | Method::Colored | Method::ColoredAlong => seconds[0],

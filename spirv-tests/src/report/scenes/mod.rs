@@ -59,13 +59,13 @@ const LEGEND: &str = "\
     variance of the truth, which 99 % and max still have; the error of a maximum is how much those of the places \
     differ. Shimmer: the deviation of the error over the frames of a zoom and of a sub-pixel pan, root mean square \
     over the pixels that the surface covers in all frames, without the truth's own; that of many samples is not \
-    measured where the truth has not many more. ms/Mpixel: the fastest of 31 turns that all kernels of a scene take \
-    on the device, over as many pixels as fill it, with one thread where it is a processor. Over naive, same driver: \
-    that over the kernel of the naive tier, which reads the same statistics of the same driver with as many taps; \
-    where a method asks no driver, over the naive method's. Operations are those of the heaviest function of each \
-    generated module that a method calls. Samples for its RMS: stratified samples a pixel at which brute force is as \
-    near to the truth, and how much faster than those the method is; a quick report has fewer than 1024 in some \
-    scenes.";
+    measured where the truth has not many more. ms/Mpixel: the fastest of 31 turns, of 7 in a quick report, that all \
+    kernels of a scene take on the device, over as many pixels as fill it, with one thread where it is a processor. \
+    Over naive, same driver: that over the kernel of the naive tier, which reads the same statistics of the same \
+    driver with as many taps; where a method asks no driver, over the naive method's. Operations are those of the \
+    heaviest function of each generated module that a method calls. Samples for its RMS: stratified samples a pixel \
+    at which brute force is as near to the truth, and how much faster than those the method is; a quick report has \
+    fewer than 1024 in some scenes.";
 
 /// What the report shows of a scene.
 fn shown(stem: &str, title: &str, measured: &Measured, views: &[View]) -> Vec<Item> {

@@ -13,7 +13,7 @@ use crate::moss::method::Method;
 use crate::moss::scene::{materials, views};
 use crate::moss::studio::{Noise, Studio};
 use crate::report::document::Item;
-use crate::report::timing::{self, TURNS};
+use crate::report::timing;
 use crate::report::{Bench, Error, Extent};
 
 const FULL: Amount = Amount { size: [54, 36], moving: [24, 16], frames: 8, strata: 32, blocks: 4 };
@@ -98,7 +98,7 @@ fn scene(bench: &Bench<'_>, studio: &Studio) -> Result<Vec<Item>, Error> {
         if seed == 0 {
             let moved = |pan, zoom| views(amount.moving, [amount.strata; 3])[MIDDLE].moved(pan, zoom);
             shots.moving(&stage, &moved, amount.strata.min(16), amount.frames)?;
-            times = seconds(studio, &stage.noise.known(&seen(&amount)[MIDDLE]))?;
+            times = seconds(bench, studio, &stage.noise.known(&seen(&amount)[MIDDLE]))?;
         }
     }
     progress.end();
@@ -109,13 +109,13 @@ fn scene(bench: &Bench<'_>, studio: &Studio) -> Result<Vec<Item>, Error> {
 }
 
 /// Seconds a tap of each method: all its kernels.
-fn seconds(studio: &Studio, known: &[[Option<Known>; ALL_TAPS]]) -> Result<Vec<f64>, Error> {
+fn seconds(bench: &Bench<'_>, studio: &Studio, known: &[[Option<Known>; ALL_TAPS]]) -> Result<Vec<f64>, Error> {
     let hits: Vec<Known> = known.iter().flatten().flatten().copied().collect();
     let color = |times: usize| Ok::<_, Error>(studio.renderers()[0].prepare(&hits.repeat(times))?.swap_remove(0));
     let hits = hits.repeat(timing::times_over(hits.len(), color)?);
     let kernels = studio.renderers().iter().map(|renderer| renderer.prepare(&hits));
     let kernels = kernels.collect::<Result<Vec<_>, Error>>()?;
-    let times = timing::fastest(&kernels.concat(), TURNS)?;
+    let times = timing::fastest(&kernels.concat(), bench.extent)?;
     let mut times = times.into_iter();
     let all = kernels.iter().map(|kernels| times.by_ref().take(kernels.len()).sum::<f64>() / hits.len() as f64);
     Ok(all.collect())

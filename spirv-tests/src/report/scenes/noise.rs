@@ -11,7 +11,7 @@ use crate::noise::method::{Method, Renderer};
 use crate::noise::sheet::Shown;
 use crate::noise::truth::{Sampler, SAME};
 use crate::report::document::Item;
-use crate::report::timing::{self, TURNS};
+use crate::report::timing;
 use crate::report::{Bench, Error, Extent};
 
 const FULL: Amount = Amount {
@@ -156,7 +156,7 @@ fn times(bench: &Bench<'_>, input: &Input, methods: &[Method]) -> Result<Times, 
             kernels.push(Renderer::naive(device, &sampler, method)?.prepare(&lens, 1)?);
         }
     }
-    let seconds = timing::fastest(&kernels, TURNS)?;
+    let seconds = timing::fastest(&kernels, bench.extent)?;
     let mut seconds = seconds.into_iter().map(|seconds| seconds / lens.pixels() as f64);
     let mut next = || seconds.next().unwrap_or(f64::NAN);
     let sample = next() / (TIMED * TIMED) as f64;

@@ -12,7 +12,7 @@ use crate::imaging::taps::ALL_TAPS;
 use crate::imaging::view::View;
 use crate::imaging::waves::Waves;
 use crate::report::document::Item;
-use crate::report::timing::{self, TURNS};
+use crate::report::timing;
 use crate::report::{Bench, Error, Extent};
 use crate::rough::judge::Look as Seen;
 use crate::rough::known;
@@ -123,21 +123,21 @@ pub fn items(bench: &Bench<'_>) -> Result<Vec<Item>, Error> {
             shots.moving(&stage, &moved, amount.strata.min(16), amount.frames)?;
         }
     }
-    let measured = measured(&amount, &renderers, &shots)?;
+    let measured = measured(bench, &amount, &renderers, &shots)?;
     progress.end();
     Ok(shown("scenes_rough", TITLE, &measured, &pictures(&shots, &measured, amount.size)))
 }
 
 const TITLE: &str = "A rough surface colored by height, from overhead to grazing, lit by a sun behind and a sun ahead";
 
-fn measured(amount: &Amount, renderers: &[Renderer], shots: &Shots) -> Result<Measured, Error> {
+fn measured(bench: &Bench<'_>, amount: &Amount, renderers: &[Renderer], shots: &Shots) -> Result<Measured, Error> {
     let view = views(amount.size)[OBLIQUE];
     let known = known::picture(&surface(1), &view, &lights());
     let known = known.as_flattened();
     let times = timing::times_over(known.len(), |times| renderers[0].prepare(&known.repeat(times), 0, lights()[0]))?;
     let known = known.repeat(times);
     let kernels = renderers.iter().map(|renderer| renderer.prepare(&known, 0, lights()[0]));
-    let seconds = timing::fastest(&kernels.collect::<Result<Vec<_>, Error>>()?, TURNS)?;
+    let seconds = timing::fastest(&kernels.collect::<Result<Vec<_>, Error>>()?, bench.extent)?;
     let taps = known.len() as f64;
     let entry = |(number, method): (usize, Method)| {
         let weight = Weight::of(&[&method.module(map()?)?], 0);

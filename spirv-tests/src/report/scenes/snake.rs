@@ -10,7 +10,7 @@ use crate::imaging::look::Look;
 use crate::imaging::pixel::Pixel;
 use crate::imaging::taps::ALL_TAPS;
 use crate::report::document::Item;
-use crate::report::timing::{self, TURNS};
+use crate::report::timing;
 use crate::report::{Bench, Error, Extent};
 use crate::snake::body::Body;
 use crate::snake::judge::displaced;
@@ -152,7 +152,7 @@ fn measured(amount: &Amount, stage: &Snake<'_>) -> Result<Measured, Error> {
     let known = known.repeat(timing::times_over(hits, once)?);
     let taps = known.iter().flatten().flatten().count() as f64;
     let kernels = stage.renderers.iter().map(|renderer| renderer.prepare(&stage.maps, &known));
-    let seconds = timing::fastest(&kernels.collect::<Result<Vec<_>, Error>>()?, TURNS)?;
+    let seconds = timing::fastest(&kernels.collect::<Result<Vec<_>, Error>>()?, stage.bench.extent)?;
     let entry = |(number, method): (usize, Method)| {
         let modules = method.modules(stage.material)?;
         Ok(Entry {
