@@ -8,7 +8,7 @@ use super::quadrature::integrate;
 use super::texture::PiecewiseLinear;
 
 /// Panels over the range of visible heights.
-const PANELS: f64 = 10.0;
+pub(super) const PANELS: f64 = 10.0;
 
 /// The mean of the map over the visible heights: the integral of the map times their density, piece by piece.
 ///

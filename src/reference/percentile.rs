@@ -1,5 +1,6 @@
 //! Ch of a map over percentiles, the share P(h) of a rough surface below a height, by two methods.
 
+use super::height::PANELS;
 use super::heights::{density, range};
 use super::normal::{cumulative, density as normal_density, surprisal, REACH};
 use super::quadrature::integrate;
@@ -8,7 +9,7 @@ use std::f64::consts::LN_2;
 
 /// The height below which a share of standard normal heights lies, by Newton's steps for what is rarer: below or above.
 pub fn quantile(share: f64) -> f64 {
-    if !(share > 0.0) {
+    if !(share > cumulative(-REACH)) {
         return -REACH;
     }
     if share > 0.5 {
@@ -20,7 +21,7 @@ pub fn quantile(share: f64) -> f64 {
     for _ in 0..8 {
         height += (surprisal(height) - bits) * LN_2 * cumulative(height) / normal_density(height);
     }
-    height.max(-REACH)
+    height
 }
 
 /// The mean of the map of P(h) over the visible heights: the integral over heights, piece by piece.
@@ -30,7 +31,7 @@ pub fn mean(map: &PiecewiseLinear, lambda: f64) -> [f64; 4] {
     let [low, high] = range(lambda);
     let mut sum = [0.0; 4];
     let mut add = |from: f64, to: f64, color: &dyn Fn(f64) -> [f64; 4]| {
-        let piece: [f64; 4] = integrate(from, to, (high - low) / 10.0, |height| {
+        let piece: [f64; 4] = integrate(from, to, (high - low) / PANELS, |height| {
             let density = density(height, lambda);
             color(height).map(|channel| density * channel)
         });

@@ -260,8 +260,9 @@ fn ends(monotone: bool) -> &'static [End] {
     static ENDS: OnceLock<[Vec<End>; 2]> = OnceLock::new();
     let [few, many] = ENDS.get_or_init(|| {
         WIDEST.map(|widest| {
-            let fall = |z: f64| FALLS[usize::from(z >= SELDOM)] / z;
-            let next = |&z: &f64| (z < REACH).then(|| (z + widest.min(fall(z))).min(REACH));
+            let [near, far] = FALLS;
+            let fall = |z: f64| if z < SELDOM { near } else { far };
+            let next = |&z: &f64| (z < REACH).then(|| (z + widest.min(fall(z) / z)).min(REACH));
             let above: Vec<f64> = std::iter::successors(Some(0.0), next).collect();
             let below = above.iter().skip(1).rev().map(|z| -z);
             below.chain(above.iter().copied()).map(End::new).collect()

@@ -50,7 +50,7 @@ impl Stored {
             Self::Halves => half_rounded(value.into()),
             Self::Parts { low, high } if low[channel] < high[channel] => {
                 let part = (value - low[channel]) / (high[channel] - low[channel]);
-                f32::from((part * STEPS + 0.5) as u16) / STEPS
+                f32::from((part * STEPS + 0.5).min(STEPS) as u16) / STEPS
             }
             Self::Parts { .. } => 0.0,
         }
