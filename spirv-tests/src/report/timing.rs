@@ -16,8 +16,8 @@ const MOST: usize = 1 << 21;
 /// An invocation's time that falls by less than a tenth with four times as many is that of a device that is full.
 const FULL: f64 = 0.9;
 
-/// Seconds below which a run is mostly the device's start and end.
-const SHORT: f64 = 1e-4;
+/// Seconds below which the device's start and end, or the last of a GPU's waves, are some percent of a run.
+const SHORT: f64 = 1e-3;
 
 /// A kernel over so many invocations that more take no less time each, and how many: `from`, or four times as many for
 /// as long as a run is short or that makes each a tenth cheaper. `prepare` is told how many.

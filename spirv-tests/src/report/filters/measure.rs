@@ -18,9 +18,6 @@ pub const SEEDS: usize = 4;
 /// Pixels whose time is taken, or samples of them.
 const TIMED: usize = 1 << 15;
 
-/// Pixels behind a driver whose time is taken.
-const DRIVEN: usize = 1 << 13;
-
 /// Of samples at least so many pixels are timed.
 const LEAST: usize = 64;
 
@@ -123,7 +120,7 @@ fn runs(bench: &Bench<'_>, case: &Case, all: &[Pixel]) -> Result<Vec<Run>, Error
     let slopes = chosen.map_or(Ok(false), |row| row.kernel(bench.timed).map(|kernel| takes_slopes(&kernel)))?;
     for row in case.rows.first().into_iter().chain(chosen) {
         let kernel = driven(bench.timed, row, slopes)?;
-        runs.push(run(&kernel, &row.points(&kernel, all), DRIVEN)?);
+        runs.push(run(&kernel, &row.points(&kernel, all), TIMED)?);
     }
     Ok(runs)
 }

@@ -32,7 +32,7 @@ const ABOUT: &str = "\
     percentiles and largest errors only how much they differ between seeds. Times are those of kernels that read a \
     pixel's statistics and write its color, all of a case by turns in one run, the fastest of 31 turns each, of 7 in \
     a quick report; on a processor by one thread. Every kernel is timed over four times as many pixels for as long \
-    as it takes less than a tenth of a millisecond or that makes each a tenth cheaper, up to two million.";
+    as it takes less than a millisecond or that makes each a tenth cheaper, up to two million.";
 
 /// What brute force is.
 const BRUTE: &str = "Brute force is what a renderer does without a filter: k × k jittered strata of the pixel, in \
