@@ -40,7 +40,8 @@ pub enum SlopeTaps {
     Seven,
     /// Eleven, up to 14 times: longer than what is seen from the horizon of slopes that vary four times as much across
     /// the view as along it. Of two distributions the lower one has ten, which stand between those of the higher one,
-    /// and so has a single one that is longer than four times its width.
+    /// and so has a single one that is longer than four times its width. Those shorter than 2.2 times have seven, and
+    /// six for ten.
     Eleven,
 }
 

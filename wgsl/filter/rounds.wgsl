@@ -19,13 +19,16 @@ const rounds_eleven_least = 0.07;
 /// ones sum to too much the others sum to too little.
 const rounds_eleven_long = 0.25;
 
-/// Five pairs of round distributions.
+/// From this part on ten and eleven are six and seven, which do as well: the same three pairs for all such parts.
+const rounds_eleven_short = 0.45;
+
+/// Up to five pairs of round distributions.
 struct rounds_pairs {
     /// Multiples of z a at which the inner four stand on either side of the mean, outwards.
     places: vec4f,
     /// The weights of each of both.
     weights: vec4f,
-    /// Place and weight of the outermost.
+    /// Place and weight of the outermost, of no weight where there are three pairs.
     outermost: vec2f,
 }
 
@@ -90,15 +93,19 @@ fn rounds_seven_weights(part: f32) -> vec3f {
     return vec3f(first, second, third);
 }
 
-/// The five pairs of ten round distributions.
+/// The five pairs of ten round distributions, or the three of six.
 ///
-/// A step is off by up to 1.9e-2, 8e-4 for a quarter and 1e-4 for half of the major deviation.
+/// A step is off by up to 1.9e-2, 8e-4 for a quarter and 3e-4 for half of the major deviation.
 ///
 /// Source: as `rounds_seven_places`.
-/// Domain: part in [0.07, 0.3].
+/// Domain: part in [0.07, 0.9].
 /// Error: 3e-3 absolute; from the pairs with that sum.
 fn rounds_ten(part: f32) -> rounds_pairs {
-    // From 0.3 on the same pairs serve all parts.
+    if part >= rounds_eleven_short {
+        let places = vec4f(0.44749219, 1.3783832, 2.4698069, 0.0);
+        return rounds_pairs(places, vec4f(0.32498438, 0.15095083, 0.024064786, 0.0), vec2f());
+    }
+    // From 0.3 on the same pairs serve.
     let q = clamp(part, rounds_eleven_least, 0.3);
     let first = 0.12430033 + q * (0.67855414 + q * (0.21186911 * q - 0.55352698));
     let second = 0.38073396 + q * (2.0233649 + q * (0.5708793 * q - 1.5990234));
@@ -113,14 +120,18 @@ fn rounds_ten(part: f32) -> rounds_pairs {
     return rounds_pairs(vec4f(first, second, third, fourth), vec4f(near, next, middle, far), vec2f(fifth, farthest));
 }
 
-/// The five pairs of eleven round distributions.
+/// The five pairs of eleven round distributions, or the three of seven.
 ///
 /// A step is off by up to 1.6e-2, 5e-4 for a quarter and 1e-4 for half of the major deviation.
 ///
 /// Source: as `rounds_seven_places`.
-/// Domain: part in [0.07, 0.3].
+/// Domain: part in [0.07, 0.9].
 /// Error: 3e-3 absolute; from the pairs with that sum.
 fn rounds_eleven(part: f32) -> rounds_pairs {
+    if part >= rounds_eleven_short {
+        let places = vec4f(0.82781739, 1.7065889, 2.7472183, 0.0);
+        return rounds_pairs(places, vec4f(0.23873968, 0.086455851, 0.011144364, 0.0), vec2f());
+    }
     let q = clamp(part, rounds_eleven_least, 0.3);
     let first = 0.2245709 + q * (1.4065388 + q * (1.012057 * q - 1.4849745));
     let second = 0.46305539 + q * (2.7633903 + q * (1.6346476 * q - 2.7020794));

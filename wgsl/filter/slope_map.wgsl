@@ -21,9 +21,8 @@ fn slope_map_slice(deviation: f32, per_deviation: f32, per_octave: f32) -> f32 {
 /// deviation in place of a pyramid.
 /// Domain: mean in [-1.5, 1.5], slice in [0.47, 0.975], per_slope in [0.396875, 0.396875], bend in [0.4, 0.4].
 /// Error: 1e-3 absolute; trilinear interpolation of 128 × 128 × 20 nodes for a random map of 2 × 2 cells.
-fn slope_map_read(
-    mean: vec2f, slice: f32, per_slope: f32, bend: f32, table: texture_3d<f32>, table_sampler: sampler,
-) -> vec4f {
+fn slope_map_read(mean: vec2f, slice: f32, per_slope: f32, bend: f32, table: texture_3d<f32>,
+    table_sampler: sampler) -> vec4f {
     let at = 0.5 + per_slope * mean / (1.0 + bend * abs(mean));
     return textureSampleLevel(table, table_sampler, vec3f(at, slice), 0.0);
 }
@@ -34,9 +33,8 @@ fn slope_map_read(
 /// Domain: mean in [-0.5, 0.5], away in [-1, 1], slice in [0.47, 0.975], per_slope in [0.396875, 0.396875],
 ///   bend in [0.4, 0.4].
 /// Error: 1.5e-3 absolute; of both reads.
-fn slope_map_sides(
-    mean: vec2f, away: vec2f, slice: f32, per_slope: f32, bend: f32, table: texture_3d<f32>, table_sampler: sampler,
-) -> vec4f {
+fn slope_map_sides(mean: vec2f, away: vec2f, slice: f32, per_slope: f32, bend: f32, table: texture_3d<f32>,
+    table_sampler: sampler) -> vec4f {
     return slope_map_read(mean - away, slice, per_slope, bend, table, table_sampler)
         + slope_map_read(mean + away, slice, per_slope, bend, table, table_sampler);
 }
@@ -94,14 +92,34 @@ fn slope_map_five(mean: vec2f, stretch: footprint_stretch, per_slope: f32, bend:
 fn slope_map_seven(mean: vec2f, stretch: footprint_stretch, per_slope: f32, bend: f32, per_deviation: f32,
     per_octave: f32, table: texture_3d<f32>, table_sampler: sampler) -> vec4f {
     let places = rounds_seven_places(stretch.part);
-    let weights = rounds_seven_weights(stretch.part);
+    let w = rounds_seven_weights(stretch.part);
     let slice = slope_map_slice(stretch.deviation, per_deviation, per_octave);
     let middle = slope_map_read(mean, slice, per_slope, bend, table, table_sampler);
     let a = slope_map_sides(mean, places.x * stretch.away, slice, per_slope, bend, table, table_sampler);
     let b = slope_map_sides(mean, places.y * stretch.away, slice, per_slope, bend, table, table_sampler);
     let c = slope_map_sides(mean, places.z * stretch.away, slice, per_slope, bend, table, table_sampler);
-    let rest = 1.0 - 2.0 * (weights.x + weights.y + weights.z);
-    return rest * middle + weights.x * a + weights.y * b + weights.z * c;
+    return (1.0 - 2.0 * (w.x + w.y + w.z)) * middle + w.x * a + w.y * b + w.z * c;
+}
+
+/// Sum of the means over pairs of round distributions on an axis, by their weights: the outer two where they have any.
+///
+/// Source: the definition.
+/// Domain: mean in [-0.5, 0.5], stretch from footprint_stretched, pairs from rounds_ten, slice in [0.47, 0.975],
+///   per_slope in [0.396875, 0.396875], bend in [0.4, 0.4].
+/// Error: 1e-3 absolute; of ten reads, by weights of ½ for all of either side.
+fn slope_map_pairs(mean: vec2f, stretch: footprint_stretch, pairs: rounds_pairs, slice: f32, per_slope: f32,
+    bend: f32, table: texture_3d<f32>, table_sampler: sampler) -> vec4f {
+    let w = pairs.weights;
+    let a = slope_map_sides(mean, pairs.places.x * stretch.away, slice, per_slope, bend, table, table_sampler);
+    let b = slope_map_sides(mean, pairs.places.y * stretch.away, slice, per_slope, bend, table, table_sampler);
+    let c = slope_map_sides(mean, pairs.places.z * stretch.away, slice, per_slope, bend, table, table_sampler);
+    var sum = w.x * a + w.y * b + w.z * c;
+    if pairs.outermost.y > 0.0 {
+        let d = slope_map_sides(mean, pairs.places.w * stretch.away, slice, per_slope, bend, table, table_sampler);
+        let e = slope_map_sides(mean, pairs.outermost.x * stretch.away, slice, per_slope, bend, table, table_sampler);
+        sum += w.w * d + pairs.outermost.y * e;
+    }
+    return sum;
 }
 
 /// Mean of a map over a normal distribution of slopes, by ten round ones on its major axis.
@@ -112,15 +130,8 @@ fn slope_map_seven(mean: vec2f, stretch: footprint_stretch, per_slope: f32, bend
 /// Error: 1e-3 absolute; of the table, for a random map of 2 × 2 cells and axes of ratios up to 3.
 fn slope_map_ten(mean: vec2f, stretch: footprint_stretch, per_slope: f32, bend: f32, per_deviation: f32,
     per_octave: f32, table: texture_3d<f32>, table_sampler: sampler) -> vec4f {
-    let pairs = rounds_ten(stretch.part);
     let slice = slope_map_slice(stretch.deviation, per_deviation, per_octave);
-    let a = slope_map_sides(mean, pairs.places.x * stretch.away, slice, per_slope, bend, table, table_sampler);
-    let b = slope_map_sides(mean, pairs.places.y * stretch.away, slice, per_slope, bend, table, table_sampler);
-    let c = slope_map_sides(mean, pairs.places.z * stretch.away, slice, per_slope, bend, table, table_sampler);
-    let d = slope_map_sides(mean, pairs.places.w * stretch.away, slice, per_slope, bend, table, table_sampler);
-    let e = slope_map_sides(mean, pairs.outermost.x * stretch.away, slice, per_slope, bend, table, table_sampler);
-    let w = pairs.weights;
-    return w.x * a + w.y * b + w.z * c + w.w * d + pairs.outermost.y * e;
+    return slope_map_pairs(mean, stretch, rounds_ten(stretch.part), slice, per_slope, bend, table, table_sampler);
 }
 
 /// Mean of a map over a normal distribution of slopes, by eleven round ones on its major axis.
@@ -134,12 +145,6 @@ fn slope_map_eleven(mean: vec2f, stretch: footprint_stretch, per_slope: f32, ben
     let pairs = rounds_eleven(stretch.part);
     let slice = slope_map_slice(stretch.deviation, per_deviation, per_octave);
     let middle = slope_map_read(mean, slice, per_slope, bend, table, table_sampler);
-    let a = slope_map_sides(mean, pairs.places.x * stretch.away, slice, per_slope, bend, table, table_sampler);
-    let b = slope_map_sides(mean, pairs.places.y * stretch.away, slice, per_slope, bend, table, table_sampler);
-    let c = slope_map_sides(mean, pairs.places.z * stretch.away, slice, per_slope, bend, table, table_sampler);
-    let d = slope_map_sides(mean, pairs.places.w * stretch.away, slice, per_slope, bend, table, table_sampler);
-    let e = slope_map_sides(mean, pairs.outermost.x * stretch.away, slice, per_slope, bend, table, table_sampler);
-    let w = pairs.weights;
-    let rest = 1.0 - 2.0 * (dot(w, vec4f(1.0)) + pairs.outermost.y);
-    return rest * middle + w.x * a + w.y * b + w.z * c + w.w * d + pairs.outermost.y * e;
+    let rest = 1.0 - 2.0 * (dot(pairs.weights, vec4f(1.0)) + pairs.outermost.y);
+    return rest * middle + slope_map_pairs(mean, stretch, pairs, slice, per_slope, bend, table, table_sampler);
 }

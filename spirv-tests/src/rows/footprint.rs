@@ -12,7 +12,7 @@ fn has_direction(point: &[f64]) -> bool {
 }
 
 /// The vector by which a round distribution is stretched, its deviation, and that as a part of the major one.
-fn stretched(covariance: [f64; 3], least: f64) -> [f64; 4] {
+pub(super) fn stretched(covariance: [f64; 3], least: f64) -> [f64; 4] {
     let [major, minor] = deviations(covariance);
     let part = (minor / major).max(least);
     let long = major * (1.0 - part * part).sqrt();

@@ -53,23 +53,49 @@ pub(super) fn three(part: f64) -> [f64; 2] {
     WIDE.get_or_init(|| Nearest::new(0.6, -0.004, 85, start, nearest)).at(part)
 }
 
+/// From this part on six and seven stand for ten and eleven: those for this part.
+const SHORT: f64 = 0.45;
+
+fn short(part: f64) -> bool {
+    part >= f64::from(SHORT as f32)
+}
+
+fn shortest<const N: usize>(start: [f64; N], nearest: impl Fn(f64, [f64; N]) -> [f64; N]) -> [f64; N] {
+    placed(nearest(SHORT, start), 1.0 / (1.0 - SHORT * SHORT).sqrt())
+}
+
+/// The pairs of ten as the shelf's structure has them; from 0.3 on those for that part, and then the pairs of six.
+pub(super) fn ten(part: f64) -> [f64; 10] {
+    static TEN: OnceLock<Nearest<9>> = OnceLock::new();
+    static SIX: OnceLock<[f64; 5]> = OnceLock::new();
+    if short(part) {
+        let [p, q, r, b, c] = *SIX.get_or_init(|| shortest([0.4, 1.2, 2.2, 0.15, 0.02], paired));
+        return [p, q, r, 0.0, 0.5 - (b + c), b, c, 0.0, 0.0, 0.0];
+    }
+    let start = [0.284, 0.86, 1.462, 2.125, 2.947, 0.1614, 0.0856, 0.0298, 0.0052];
+    let [p, q, r, s, t, b, c, d, e] = TEN.get_or_init(|| Nearest::new(0.3, 0.01, 25, start, paired)).at(part);
+    [p, q, r, s, 0.5 - (b + c + d + e), b, c, d, t, e]
+}
+
+/// The pairs of eleven, or of seven.
+fn eleven(part: f64) -> [f64; 10] {
+    static ELEVEN: OnceLock<Nearest<10>> = OnceLock::new();
+    static SEVEN: OnceLock<[f64; 6]> = OnceLock::new();
+    if short(part) {
+        let [p, q, r, a, b, c] = *SEVEN.get_or_init(|| shortest([0.74, 1.52, 2.45, 0.24, 0.09, 0.01], smoothest));
+        return [p, q, r, 0.0, a, b, c, 0.0, 0.0, 0.0];
+    }
+    let start = [0.54, 1.093, 1.676, 2.319, 3.119, 0.1877, 0.1238, 0.0593, 0.0188, 0.003];
+    let [p, q, r, s, t, a, b, c, d, e] = ELEVEN.get_or_init(|| Nearest::new(0.3, 0.01, 25, start, smoothest)).at(part);
+    [p, q, r, s, a, b, c, d, t, e]
+}
+
 pub(super) fn rows() -> Vec<Row> {
     static FIVE: OnceLock<Nearest<4>> = OnceLock::new();
     static SEVEN: OnceLock<Nearest<6>> = OnceLock::new();
-    static TEN: OnceLock<Nearest<9>> = OnceLock::new();
-    static ELEVEN: OnceLock<Nearest<10>> = OnceLock::new();
     let seven = |part: f64| {
         let start = [0.722, 1.49, 2.408, 0.2348, 0.0946, 0.015];
         SEVEN.get_or_init(|| Nearest::new(0.4, 0.01, 30, start, smoothest)).at(part)
-    };
-    // Above, places and weights for a part of 0.3.
-    let ten = |part: f64| {
-        let start = [0.284, 0.86, 1.462, 2.125, 2.947, 0.1614, 0.0856, 0.0298, 0.0052];
-        TEN.get_or_init(|| Nearest::new(0.3, 0.01, 25, start, paired)).at(part)
-    };
-    let eleven = |part: f64| {
-        let start = [0.54, 1.093, 1.676, 2.319, 3.119, 0.1877, 0.1238, 0.0593, 0.0188, 0.003];
-        ELEVEN.get_or_init(|| Nearest::new(0.3, 0.01, 25, start, smoothest)).at(part)
     };
     let third = |pairs: [f64; 6], from: usize| -> [f64; 3] { std::array::from_fn(|number| pairs[from + number]) };
     vec![
@@ -79,13 +105,7 @@ pub(super) fn rows() -> Vec<Row> {
         }),
         Row::new("rounds_seven_places", move |x| third(seven(x[0]), 0)),
         Row::new("rounds_seven_weights", move |x| third(seven(x[0]), 3)),
-        Row::new("rounds_ten", move |x| {
-            let [p, q, r, s, t, b, c, d, e] = ten(x[0]);
-            [p, q, r, s, 0.5 - (b + c + d + e), b, c, d, t, e]
-        }),
-        Row::new("rounds_eleven", move |x| {
-            let [p, q, r, s, t, a, b, c, d, e] = eleven(x[0]);
-            [p, q, r, s, a, b, c, d, t, e]
-        }),
+        Row::new("rounds_ten", |x| ten(x[0])).at([[SHORT]]),
+        Row::new("rounds_eleven", |x| eleven(x[0])).at([[SHORT]]),
     ]
 }

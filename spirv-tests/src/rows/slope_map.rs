@@ -5,6 +5,8 @@ use prefilter::reference::slope_map::Bilinear;
 use prefilter::table::Table;
 use prefilter::{Scene, SlopeDomain, SlopeMap, SlopeTaps, SlopeTier};
 
+use super::footprint::stretched;
+use super::rounds::ten;
 use super::Row;
 use crate::random::Random;
 
@@ -34,7 +36,7 @@ pub(super) fn rows() -> Vec<Row> {
         let map = map.clone();
         Row::new(name, move |x| map.mean([x[0], x[1]], [x[2], x[3], x[4]])).table(table.clone(), Address::Clamp)
     });
-    let round = map.clone();
+    let (round, several) = (map.clone(), map.clone());
     let read = Row::new("slope_map_read", move |x| {
         let variance = deviation(x[2]).powi(2);
         round.mean([x[0], x[1]], [variance, 0.0, variance])
@@ -45,7 +47,19 @@ pub(super) fn rows() -> Vec<Row> {
         let [one, other] = two.map(|mean| map.mean(mean, [variance, 0.0, variance]));
         [0, 1, 2, 3].map(|channel| one[channel] + other[channel])
     });
-    let reads = reads.into_iter().chain([read, sides].map(|row| row.table(table.clone(), Address::Clamp)));
+    let pairs = Row::new("slope_map_pairs", move |x| {
+        let [away_x, away_y, ..] = stretched([x[2], x[3], x[4]], x[5]);
+        let ([p, q, r, s, a, b, c, d, t, e], variance) = (ten(x[6]), deviation(x[7]).powi(2));
+        let mut sum = [0.0; 4];
+        for (place, weight) in [(p, a), (q, b), (r, c), (s, d), (t, e)] {
+            for side in [-place, place] {
+                let mean = several.mean([x[0] + side * away_x, x[1] + side * away_y], [variance, 0.0, variance]);
+                sum = [0, 1, 2, 3].map(|channel| sum[channel] + weight * mean[channel]);
+            }
+        }
+        sum
+    });
+    let reads = reads.into_iter().chain([read, sides, pairs].map(|row| row.table(table.clone(), Address::Clamp)));
     // The first of 20 slices has its center at ½/20.
     let slice = Row::new("slope_map_slice", |x| [0.025 + x[2] * (1.0 + x[1] * x[0]).log2()]);
     reads.chain([slice]).collect()
