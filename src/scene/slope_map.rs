@@ -34,9 +34,9 @@ impl Scene {
     /// sees, such as snow on one side, or a color for each aspect.
     ///
     /// Exports `NAME_slope_map(mean_slope, slope_covariance, view, table, table_sampler)`: reads from a volume of
-    /// 128 × 128 × 20 texels, or of 64 × 64 × 20 or 32 × 32 × 20 where an accuracy asks for no more. It takes 1.25 MiB
-    /// where colors have three channels from 0 to 1, stored in ten bits each as parts of what the map spans, and 2.5
-    /// MiB in halves otherwise.
+    /// 96 × 96 × 20 texels, or of 32, 64 or 128 along either component where an accuracy asks for no more or for more.
+    /// It takes 720 KiB where colors have three channels from 0 to 1, stored in ten bits each as parts of what the map
+    /// spans, and 1.4 MiB in halves otherwise.
     /// [`SlopeTier`] says what stands for the visible slopes and [`Self::slope_taps`] how many reads for each normal
     /// distribution of those. The colors are, whichever [`Colors`](crate::Colors), in the table, which takes some
     /// hundredths of a second to bake.

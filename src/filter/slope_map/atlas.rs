@@ -8,11 +8,12 @@ use crate::table::slope_map::{Baked, Plan, Stored};
 use crate::table::Table;
 use crate::transfer::slope_map::{SlopeDomain, SlopeMap};
 
-/// Nodes along each component of the mean slope.
-pub(crate) const NODES: usize = 128;
+/// Nodes along each component of the mean slope: reads of a table of 128 lie so far apart that the caches of a GPU hold
+/// too few of them.
+pub(crate) const NODES: usize = 96;
 
 /// Those from which an accuracy chooses.
-pub(crate) const SIZES: [usize; 3] = [32, 64, NODES];
+pub(crate) const SIZES: [usize; 4] = [32, 64, NODES, 128];
 
 /// Nodes along the deviation: they stand in `wgsl/filter/slope_map.wgsl` too.
 pub(super) const SLICES: usize = 20;
