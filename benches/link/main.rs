@@ -8,11 +8,10 @@
 #![deny(missing_docs)]
 
 mod filters;
+mod one_core;
 
+use one_core::{on_one_core, processor};
 use prefilter::{ColorMap, Error, Kernel, Module, Scene, Tier};
-#[cfg(target_os = "linux")]
-use rustix::thread::{sched_getcpu, sched_setaffinity, CpuSet};
-use rustix::time::{clock_gettime, ClockId};
 
 /// Seconds of a link that are asked.
 const LINKED: f64 = 5e-3;
@@ -24,10 +23,7 @@ const RUNS: usize = 101;
 const BAKED_RUNS: usize = 7;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    #[cfg(target_os = "linux")]
-    stay_on_one_core()?;
-    closed_forms()?;
-    all_filters()
+    on_one_core(|| closed_forms().and_then(|()| all_filters()))?
 }
 
 /// Scenes of values, without tables.
@@ -109,18 +105,4 @@ impl std::fmt::Display for Time {
     fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(formatter, "{:.2} ms (fastest {:.2})", 1e3 * self.median, 1e3 * self.fastest)
     }
-}
-
-/// Cores beside each other share memory, and each takes longer.
-#[cfg(target_os = "linux")]
-fn stay_on_one_core() -> std::io::Result<()> {
-    let mut cores = CpuSet::new();
-    cores.set(sched_getcpu());
-    Ok(sched_setaffinity(None, &cores)?)
-}
-
-/// Seconds that the process has taken of all cores.
-fn processor() -> f64 {
-    let time = clock_gettime(ClockId::ProcessCPUTime);
-    time.tv_sec as f64 + 1e-9 * time.tv_nsec as f64
 }

@@ -2,12 +2,14 @@
 
 #[path = "../../../benches/link/filters.rs"]
 mod filters;
+#[path = "../../../benches/link/one_core.rs"]
+mod one_core;
 
 use super::document::{Cell, Item, Section, Table};
 use super::{Bench, Error, Extent};
 use crate::scenes;
+use one_core::{on_one_core, processor};
 use prefilter::{Module, Scene, Table as Texture};
-use rustix::time::{clock_gettime, ClockId};
 
 /// Runs of which the fastest counts: what nothing disturbed.
 const RUNS: usize = 3;
@@ -26,8 +28,12 @@ pub fn steps(extent: Extent) -> u64 {
 /// Measures it.
 ///
 /// # Errors
-/// Those of scenes.
+/// Those of scenes, and that of a system that keeps its cores to itself.
 pub fn section(bench: &Bench<'_>) -> Result<Section, Error> {
+    on_one_core(|| measured(bench)).map_err(|error| Error::Measured(format!("one core: {error}")))?
+}
+
+fn measured(bench: &Bench<'_>) -> Result<Section, Error> {
     let scenes = filters::scenes()?;
     let together = Table {
         stem: "generation_all_filters".into(),
@@ -96,7 +102,7 @@ fn linked(modules: &[Module]) -> Result<[f64; 2], Error> {
     Ok([link, fastest(|| shader.spirv().map(|_| ()))?])
 }
 
-/// Milliseconds that the process takes of all cores, in the fastest run.
+/// Milliseconds that the process takes, in the fastest run.
 fn fastest(mut run: impl FnMut() -> Result<(), prefilter::Error>) -> Result<f64, prefilter::Error> {
     let mut fastest = f64::INFINITY;
     for _ in 0..RUNS {
@@ -105,9 +111,4 @@ fn fastest(mut run: impl FnMut() -> Result<(), prefilter::Error>) -> Result<f64,
         fastest = fastest.min(processor() - start);
     }
     Ok(1e3 * fastest)
-}
-
-fn processor() -> f64 {
-    let time = clock_gettime(ClockId::ProcessCPUTime);
-    time.tv_sec as f64 + 1e-9 * time.tv_nsec as f64
 }
