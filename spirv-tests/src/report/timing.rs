@@ -16,16 +16,20 @@ const MOST: usize = 1 << 21;
 /// An invocation's time that falls by less than a tenth with four times as many is that of a device that is full.
 const FULL: f64 = 0.9;
 
-/// Seconds below which the device's start and end, or the last of a GPU's waves, are some percent of a run.
-const SHORT: f64 = 1e-3;
+/// Seconds below which a run is mostly the device's start and end.
+pub const SHORT: f64 = 1e-4;
+
+/// Seconds below which the last of a GPU's waves is some percent of a run, for the kernels whose ratios are asked for.
+pub const WAVES: f64 = 1e-3;
 
 /// A kernel over so many invocations that more take no less time each, and how many: `from`, or four times as many for
-/// as long as a run is short or that makes each a tenth cheaper. `prepare` is told how many.
+/// as long as a run takes less than `seconds` or that makes each a tenth cheaper. `prepare` is told how many.
 ///
 /// # Errors
 /// What the device refuses.
 pub fn filling<E: From<Error>>(
     from: usize,
+    seconds: f64,
     prepare: impl Fn(usize) -> Result<Dispatch, E>,
 ) -> Result<(Dispatch, usize), E> {
     let of = |count: usize| -> Result<(Dispatch, f64), E> {
@@ -37,7 +41,7 @@ pub fn filling<E: From<Error>>(
     let (mut count, mut best) = (from.max(1), of(from.max(1))?);
     // What a device cannot hold ends the search, too.
     while let Some(more) = (4 * count <= MOST).then(|| of(4 * count).ok()).flatten() {
-        if best.1 * count as f64 >= SHORT && more.1 > FULL * best.1 {
+        if best.1 * count as f64 >= seconds && more.1 > FULL * best.1 {
             break;
         }
         (count, best) = (4 * count, more);
@@ -55,7 +59,7 @@ pub fn enlarged<E: From<Error>>(
 ) -> Result<[usize; 2], E> {
     let pixels = width * height;
     let sides = |count: usize| [width, height].map(|side| side * (count / pixels).isqrt());
-    Ok(sides(filling(pixels, |count| prepare(sides(count)))?.1))
+    Ok(sides(filling(pixels, SHORT, |count| prepare(sides(count)))?.1))
 }
 
 /// How many times over a list of so many taps fills the device with a kernel.
@@ -64,7 +68,7 @@ pub fn enlarged<E: From<Error>>(
 /// What the device refuses.
 pub fn times_over<E: From<Error>>(taps: usize, prepare: impl Fn(usize) -> Result<Dispatch, E>) -> Result<usize, E> {
     let taps = taps.max(1);
-    Ok(filling(taps, |count| prepare(count / taps))?.1 / taps)
+    Ok(filling(taps, SHORT, |count| prepare(count / taps))?.1 / taps)
 }
 
 /// `count` points of the numbers of `points`, over and over.

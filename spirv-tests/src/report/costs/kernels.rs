@@ -4,7 +4,7 @@ use crate::random::Random;
 use crate::report::filters::case::{Role, Row};
 use crate::report::filters::height;
 use crate::report::filters::pixel::{Drawn, Pixel};
-use crate::report::timing::{fastest, filling, repeated};
+use crate::report::timing::{fastest, filling, repeated, SHORT};
 use crate::report::{Bench, Error};
 use prefilter::Module;
 
@@ -27,7 +27,7 @@ pub fn times(bench: &Bench<'_>, modules: &[Module]) -> Result<Vec<f64>, Error> {
         let row = Row::of(Role::Tier, module.name(), module.clone());
         let kernel = row.kernel(bench.timed)?;
         let numbers = row.points(&kernel, &pixels);
-        let (dispatch, count) = filling(TIMED, |count| kernel.prepare(&repeated(&numbers, PIXELS, count)))?;
+        let (dispatch, count) = filling(TIMED, SHORT, |count| kernel.prepare(&repeated(&numbers, PIXELS, count)))?;
         dispatches.push(dispatch);
         counts.push(count);
     }

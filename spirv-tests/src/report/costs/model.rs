@@ -5,7 +5,7 @@ use crate::exports::ExportKernel;
 use crate::random::Random;
 use crate::report::document::{Axis, Cell, Item, Plot, Series, Table};
 use crate::report::markdown::rounded;
-use crate::report::timing::{fastest, filling, repeated};
+use crate::report::timing::{fastest, filling, repeated, SHORT};
 use crate::report::{Bench, Error};
 use crate::scenes;
 use prefilter::{Export, Module};
@@ -80,7 +80,7 @@ pub fn items(bench: &Bench<'_>) -> Result<Vec<Item>, Error> {
         let module = scene.module()?;
         let Some(export) = heaviest(&module) else { continue };
         let (kernel, numbers) = (ExportKernel::new(bench.timed, &module, &export)?, points(&export));
-        let (dispatch, count) = filling(PIXELS, |count| kernel.prepare(&repeated(&numbers, PIXELS, count)))?;
+        let (dispatch, count) = filling(PIXELS, SHORT, |count| kernel.prepare(&repeated(&numbers, PIXELS, count)))?;
         dispatches.push(dispatch);
         counts.push(count);
         kept.push((name, module));

@@ -1,7 +1,7 @@
 //! What functions cost, in multiply-adds, beside what they count as where tiers are chosen.
 
 use crate::report::document::{Cell, Item, Table};
-use crate::report::timing::{fastest, filling, repeated};
+use crate::report::timing::{fastest, filling, repeated, SHORT};
 use crate::report::{Bench, Error};
 use prefilter::gpu::{Address, Dispatch, Kernel, Texture, Work};
 use prefilter::table::{Format, Level, Sampling};
@@ -110,7 +110,7 @@ pub fn items(bench: &Bench<'_>) -> Result<Vec<Item>, Error> {
     let kernel = |statements: &str| Kernel::new(bench.timed, &text(statements), "main");
     let bare = kernel(&statements("v", STATEMENTS))?;
     // Times are compared by their differences: all are of as many as fill the device with the least to do.
-    let (bare, invocations) = filling(INVOCATIONS, |count| over(&bare, count))?;
+    let (bare, invocations) = filling(INVOCATIONS, SHORT, |count| over(&bare, count))?;
     let dispatch = |statements: &str| -> Result<Dispatch, Error> { Ok(over(&kernel(statements)?, invocations)?) };
     let all: Vec<(&str, &str, bool)> = FUNCTIONS
         .map(|(name, expression)| (name, expression, false))

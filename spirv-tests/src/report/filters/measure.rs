@@ -8,7 +8,7 @@ use crate::exports::ExportKernel;
 use crate::gap::figure::{over_seeds, Figure};
 use crate::imaging::measure::{sizes, worst};
 use crate::random::Random;
-use crate::report::timing::{fastest, filling, repeated};
+use crate::report::timing::{fastest, filling, repeated, WAVES};
 use crate::report::{Bench, Error};
 use prefilter::gpu::Dispatch;
 
@@ -103,7 +103,7 @@ struct Run {
 /// All rows, all counts of samples, and the naive and the default row behind a driver.
 fn runs(bench: &Bench<'_>, case: &Case, all: &[Pixel]) -> Result<Vec<Run>, Error> {
     let run = |kernel: &ExportKernel, numbers: &[f32], pixels: usize| -> Result<Run, Error> {
-        let (timed, pixels) = filling(pixels, |count| kernel.prepare(&repeated(numbers, all.len(), count)))?;
+        let (timed, pixels) = filling(pixels, WAVES, |count| kernel.prepare(&repeated(numbers, all.len(), count)))?;
         Ok(Run { colors: kernel.run(numbers)?, timed, pixels })
     };
     let mut runs = Vec::new();
