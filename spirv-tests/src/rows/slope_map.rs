@@ -30,6 +30,14 @@ fn deviation(slice: f64) -> f64 {
     0.5 * (13f64.powf((20.0 * slice - 0.5) / 19.0) - 1.0) / 12.0
 }
 
+/// The sum of the means over two round distributions on either side of a mean.
+fn both_sides(map: &Bilinear, [x, y]: [f64; 2], [away_x, away_y]: [f64; 2], deviation: f64) -> [f64; 4] {
+    let variance = deviation * deviation;
+    let of = |side: f64| map.mean([x + side * away_x, y + side * away_y], [variance, 0.0, variance]);
+    let [one, other] = [-1.0, 1.0].map(of);
+    [0, 1, 2, 3].map(|channel| one[channel] + other[channel])
+}
+
 pub(super) fn rows() -> Vec<Row> {
     let (map, table) = map();
     let reads = NAMES.map(|name| {
@@ -41,23 +49,15 @@ pub(super) fn rows() -> Vec<Row> {
         let variance = deviation(x[2]).powi(2);
         round.mean([x[0], x[1]], [variance, 0.0, variance])
     });
-    let sides = Row::new("slope_map_sides", move |x| {
-        let (variance, sides) = (deviation(x[4]).powi(2), [-1.0, 1.0]);
-        let two = sides.map(|side| [x[0] + side * x[2], x[1] + side * x[3]]);
-        let [one, other] = two.map(|mean| map.mean(mean, [variance, 0.0, variance]));
-        [0, 1, 2, 3].map(|channel| one[channel] + other[channel])
-    });
+    let sides = Row::new("slope_map_sides", move |x| both_sides(&map, [x[0], x[1]], [x[2], x[3]], deviation(x[4])));
     let pairs = Row::new("slope_map_pairs", move |x| {
         let [away_x, away_y, ..] = stretched([x[2], x[3], x[4]], x[5]);
-        let ([p, q, r, s, a, b, c, d, t, e], variance) = (ten(x[6]), deviation(x[7]).powi(2));
-        let mut sum = [0.0; 4];
-        for (place, weight) in [(p, a), (q, b), (r, c), (s, d), (t, e)] {
-            for side in [-place, place] {
-                let mean = several.mean([x[0] + side * away_x, x[1] + side * away_y], [variance, 0.0, variance]);
-                sum = [0, 1, 2, 3].map(|channel| sum[channel] + weight * mean[channel]);
-            }
-        }
-        sum
+        let [p, q, r, s, a, b, c, d, t, e] = ten(x[6]);
+        [(p, a), (q, b), (r, c), (s, d), (t, e)].into_iter().fold([0.0; 4], |sum, (place, weight)| {
+            let away = [place * away_x, place * away_y];
+            let both = both_sides(&several, [x[0], x[1]], away, deviation(x[7]));
+            [0, 1, 2, 3].map(|channel| sum[channel] + weight * both[channel])
+        })
     });
     let reads = reads.into_iter().chain([read, sides, pairs].map(|row| row.table(table.clone(), Address::Clamp)));
     // The first of 20 slices has its center at ½/20.
