@@ -139,6 +139,7 @@ mod error;
 pub mod filter;
 #[cfg(feature = "gpu")]
 pub mod gpu;
+mod join;
 mod linkage;
 mod module;
 mod name;

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 
 use crate::cost::{self, Cost};
+use crate::join;
 use crate::linkage;
 use crate::module::Module;
 use crate::Error;
@@ -24,12 +25,22 @@ impl Shader {
             let place = error.location(&wgsl);
             refused(path, place, &with_hint(&error.emit_to_string_with_path(&wgsl, path), &wgsl))
         })?;
-        let info =
-            Validator::new(ValidationFlags::all(), Capabilities::empty()).validate(&module).map_err(|error| {
-                let place = error.location(&wgsl);
-                refused(path, place, &error.emit_to_string_with_path(&wgsl, path))
-            })?;
+        let info = validator().validate(&module).map_err(|error| {
+            let place = error.location(&wgsl);
+            refused(path, place, &error.emit_to_string_with_path(&wgsl, path))
+        })?;
         Ok(Self { wgsl, parsed: Arc::new((module, info)) })
+    }
+
+    /// As [`Self::new`], without parsing again what other texts have of it.
+    fn joined(path: &str, wgsl: String, others: &[&Self]) -> Result<Self, Error> {
+        let sources: Vec<_> = others.iter().map(|other| (other.wgsl(), other.parsed().0)).collect();
+        let joined =
+            join::joined(&wgsl, &sources).and_then(|module| Some((validator().validate(&module).ok()?, module)));
+        match joined {
+            Some((info, module)) => Ok(Self { wgsl, parsed: Arc::new((module, info)) }),
+            None => Self::new(path, wgsl),
+        }
     }
 
     /// The text.
@@ -147,6 +158,9 @@ impl Shader {
 
 /// Your text with modules behind it, and behind them the shelf functions that any of them mentions, validated.
 ///
+/// What modules have is not parsed again, which takes half the time of parsing the whole text; but it is where one of
+/// them has a driver of yours, as your text may declare that anew.
+///
 /// # Errors
 /// As [`Module::link`].
 pub fn link(modules: &[&Module], text: &str) -> Result<Shader, Error> {
@@ -169,7 +183,14 @@ pub fn link(modules: &[&Module], text: &str) -> Result<Shader, Error> {
     let mut own = prefilter_wgsl::declarations(text);
     own.retain(|declaration| may_be_built_in(declaration.name));
     modules.iter().try_for_each(|module| hides_nothing(path, &own, module))?;
-    Shader::new(path, linked)
+    // The user's text may have replaced what a driver's text declares, and with it what functions of modules mean.
+    let replaceable = modules.iter().any(|module| !module.foreign.is_empty());
+    let others = if replaceable { Vec::new() } else { modules.iter().map(|module| &module.linked).collect() };
+    Shader::joined(path, linked, &others)
+}
+
+fn validator() -> Validator {
+    Validator::new(ValidationFlags::all(), Capabilities::empty())
 }
 
 /// Refuses two modules whose drivers' texts declare one name differently: one of them would call the other's.

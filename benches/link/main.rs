@@ -1,10 +1,9 @@
-//! How long does a scene take to become a validated module, and modules to be linked and written as SPIR-V? Fails above
-//! 5 ms, and where all tables of a scene with all filters take above 100 ms.
+//! How long does a scene take to become a validated module, and modules to be linked and written as SPIR-V? Asked are
+//! 5 ms, and 100 ms for all tables of a scene with all filters. Fails where a machine takes one and a half times as
+//! long.
 //!
 //! What is measured is the time of one core, on which all threads take turns where the system lets them. It is stated
-//! for the median run and for the fastest. Tables are within the limit in the median; of links the fastest run has to
-//! be, which nothing disturbed: beside other work, which empties the caches, the median takes up to a tenth longer,
-//! more than is left up to the limit.
+//! for the median run and for the fastest, which is judged: nothing disturbed it.
 #![deny(missing_docs)]
 
 mod filters;
@@ -17,8 +16,8 @@ use prefilter::{ColorMap, Error, Kernel, Module, Scene, Tier};
 const LINKED: f64 = 5e-3;
 /// Those of all tables.
 const BAKED: f64 = 0.1;
-/// How many times slower than one that keeps them a machine may be: of two of a kind one took 1.7 times as long.
-const SLOWER: f64 = 2.5;
+/// How many times as long a slow machine may take: of two of a kind one took 1.7 times as long as the other.
+const SLOWER: f64 = 1.5;
 const RUNS: usize = 101;
 const BAKED_RUNS: usize = 7;
 
@@ -54,7 +53,7 @@ fn all_filters() -> Result<(), Box<dyn std::error::Error>> {
         modules.push(scene.module()?);
     }
     println!("all filters: modules and tables {all}, asked {} ms", 1e3 * BAKED);
-    if all.median > SLOWER * BAKED {
+    if all.fastest > SLOWER * BAKED {
         return Err(format!("all filters take more than {SLOWER} times {BAKED} s to become modules with tables").into());
     }
     let (list, entry): (Vec<&Module>, String) = (modules.iter().collect(), filters::entry(&modules));

@@ -164,6 +164,8 @@ fn the_users_text_comes_first_and_keeps_its_lines() -> Outcome {
     let hidden = refused("// mine\nfn vec3f(x: f32) -> f32 { return x; }\n");
     assert!(hidden.contains("shader.wgsl:2:4: `vec3f` is declared here and hides"), "{hidden}");
     module.link("fn m() -> f32 { return 1.0; }\nfn c() {}\n")?; // names that the module declares for itself
+    let attributed = refused("@compute @workgroup_size(1)\n");
+    assert!(attributed.contains("lichen_texture"), "{attributed}");
     let again = refused("fn lichen_texture() {}\n");
     assert!(again.contains("shader.wgsl:1:4") && again.contains("lichen_texture"), "{again}");
     Ok(())

@@ -4,6 +4,7 @@
 //! affair.
 
 use std::collections::BTreeSet;
+use std::ops::Range;
 
 use crate::token::{tokens, Token, TokenKind};
 
@@ -33,6 +34,8 @@ pub struct Declaration<'a> {
     pub kind: Kind,
     /// The whole declaration, with the comments right above it and its attributes.
     pub text: &'a str,
+    /// The bytes of the scanned text from the body, the initializer or the semicolon to the declaration's end.
+    pub body: Range<usize>,
     /// Line of the name in the scanned text, from 1.
     pub line: usize,
     /// Column of the name in that line in characters, from 1.
@@ -228,12 +231,14 @@ fn declaration<'a>(
     place: &mut (usize, usize),
 ) -> Option<Declaration<'a>> {
     let name = tokens[extent.name?].range.clone();
+    let end = tokens[extent.last].range.end;
     let line_start = text[..name.start].rfind('\n').map_or(0, |at| at + 1);
     *place = (place.0 + text[place.1..name.start].matches('\n').count(), name.start);
     Some(Declaration {
         name: &text[name.clone()],
         kind,
-        text: &text[start..tokens[extent.last].range.end],
+        text: &text[start..end],
+        body: tokens.get(extent.head_end).map_or(end, |token| token.range.start)..end,
         line: place.0,
         column: text[line_start..name.start].chars().count() + 1,
         signature: signature(text, &tokens[extent.first..extent.head_end]),

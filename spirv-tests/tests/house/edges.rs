@@ -7,7 +7,7 @@ use crate::tree::Tree;
 
 /// The layers from the ground up. A module may name modules of lower layers and itself, no others.
 const LAYERS: &[&[&str]] = &[
-    &["error", "linkage", "reserved"],
+    &["error", "join", "linkage", "reserved"],
     &["reference"],
     &["name"],
     &["transfer"],
@@ -29,6 +29,7 @@ const TOGETHER: &[(&str, &str)] = &[("module", "a module links to a shader, and 
 /// Modules that must not name others although they lie below, with the reason.
 const APART: &[(&str, &str, &str)] = &[
     ("reference", "error", "the reference imports nothing of the crate"),
+    ("reference", "join", "the reference imports nothing of the crate"),
     ("reference", "linkage", "the reference imports nothing of the crate"),
     ("reference", "reserved", "the reference imports nothing of the crate"),
 ];
