@@ -53,10 +53,19 @@ pub fn convolved(wave: &Wave, apart: [f64; 3], [across, along]: [[f64; 3]; 2]) -
     libm::exp(exponent) * libm::cos(angle) / determinant.sqrt()
 }
 
-/// The square of a kernel's distance in the metric of its filtered envelope, rᵀ(I + 2π a² Σ)⁻¹r.
-pub fn distance(apart: [f64; 3], footprint: [[f64; 3]; 2]) -> f64 {
-    let inverse = inverse(grown(footprint));
-    product(apart, inverse.map(|row| product(row, apart)))
+/// The square of a kernel's distance in the metric of its filtered envelope, rᵀ(I + 2π a² Σ)⁻¹r: the least of
+/// |r + u across + v along|² + (u² + v²)/(2π a²) over all u and v.
+pub fn distance(apart: [f64; 3], [across, along]: [[f64; 3]; 2]) -> f64 {
+    let narrow = TAU * BANDWIDTH * BANDWIDTH;
+    let [uu, uv, vv] = [product(across, across), product(across, along), product(along, along)];
+    let area = cross(across, along);
+    // Lagrange's identity: the product of the diagonal less a square loses it where both are long.
+    let determinant = 1.0 + narrow * (uu + vv) + narrow * narrow * product(area, area);
+    let [a, b] = [across, along].map(|vector| narrow * product(apart, vector));
+    let u = (narrow * uv * b - (1.0 + narrow * vv) * a) / determinant;
+    let v = (narrow * uv * a - (1.0 + narrow * uu) * b) / determinant;
+    let left: [f64; 3] = std::array::from_fn(|axis| apart[axis] + u * across[axis] + v * along[axis]);
+    product(left, left) + (u * u + v * v) / narrow
 }
 
 /// The inverse of a matrix, by the cross products of its rows.
@@ -178,4 +187,30 @@ pub fn words(cell: [i64; 3], seed: u32) -> [u32; 3] {
 pub fn place(word: u32) -> [f64; 3] {
     let bits = [(word >> 21, 2048.0), (word >> 10 & 2047, 2048.0), (word & 1023, 1024.0)];
     bits.map(|(bits, count)| (f64::from(bits) + 0.5) / count)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Across a long footprint a distance is what it is without one, along it next to nothing: kernels beyond it do not
+    /// count however long it is.
+    #[test]
+    fn long_footprints_leave_distances_across_them() {
+        let [along, aside] = [[0.415, -0.594, -0.689], [0.82, 0.572_869_565_217_391_3, 0.0]];
+        assert!(product(along, aside).abs() < 1e-4);
+        for length in [1.0, 1e2, 1e4, 1e6] {
+            let footprint = [[0.0; 3], along.map(|part| length * part)];
+            let direct = |apart| {
+                let part = product(apart, along) / product(along, along);
+                let rest: [f64; 3] = std::array::from_fn(|axis| apart[axis] - part * along[axis]);
+                let narrow = 1.0 + TAU * BANDWIDTH * BANDWIDTH * length * length * product(along, along);
+                product(rest, rest) + part * part * product(along, along) / narrow
+            };
+            for apart in [aside, along, [1.2, 0.3, -0.7]] {
+                let (found, exact) = (distance(apart, footprint), direct(apart));
+                assert!((found - exact).abs() < 1e-9 * (1.0 + exact), "{length}: {found} for {exact}");
+            }
+        }
+    }
 }
