@@ -47,6 +47,11 @@ impl Promised {
         if !self.covers.iter().all(|(filter, covers)| point.within(*filter, covers)) {
             return None;
         }
+        // What layers together are where one of them counts a point as another, no truth says.
+        if self.covers.len() > 1 && !self.covers.iter().all(|(filter, covers)| point.counts_as_itself(*filter, covers))
+        {
+            return None;
+        }
         let (_, covers) = self.covers.first()?;
         let counted = match subject.filter {
             Filter::Height | Filter::HeightTransfer => subject.hidden(point, covers)?,
@@ -124,6 +129,16 @@ impl Point {
             Filter::HeightTransfer => inside(self.mean) && self.deviation >= least && self.hidden(covers),
             // Its layers say so.
             Filter::Combination => true,
+        }
+    }
+
+    /// Whether a filter's module takes the point as it is, and not for another one at the end of what is covered.
+    fn counts_as_itself(&self, filter: Filter, covers: &Covers) -> bool {
+        let [least, most] = covers.deviations;
+        match filter {
+            Filter::Height => self.deviation >= least && self.hidden(covers),
+            Filter::Slope => (least..=most).contains(&self.component_deviation()),
+            _ => true,
         }
     }
 
