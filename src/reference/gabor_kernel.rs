@@ -37,35 +37,35 @@ pub fn kernel(wave: &Wave, apart: [f64; 3]) -> f64 {
 ///
 /// With w = (u, v) the kernel is the real part of exp(c + bᵀw − ½ wᵀK w), and the mean that of
 /// exp(c + ½ bᵀ(I + K)⁻¹b)/√|I + K|: the integral of a Gaussian in the plane of u and v, with complex b.
-pub fn convolved(wave: &Wave, apart: [f64; 3], [across, along]: [[f64; 3]; 2]) -> f64 {
+pub fn convolved(wave: &Wave, apart: [f64; 3], footprint: [[f64; 3]; 2]) -> f64 {
     let Wave { bandwidth, frequency, phase } = *wave;
     let narrow = TAU * bandwidth * bandwidth;
-    let [uu, uv, vv] = [product(across, across), product(across, along), product(along, along)];
-    let [uu, uv, vv] = [1.0 + narrow * uu, narrow * uv, 1.0 + narrow * vv];
-    let determinant = uu * vv - uv * uv;
-    let real = [across, along].map(|vector| -narrow * product(apart, vector));
-    let imaginary = [across, along].map(|vector| TAU * product(frequency, vector));
-    let form = |a: [f64; 2], b: [f64; 2]| {
-        (vv * a[0] * b[0] - uv * (a[0] * b[1] + a[1] * b[0]) + uu * a[1] * b[1]) / determinant
-    };
+    let (determinant, form) = plane(narrow, footprint);
+    let real = footprint.map(|vector| -narrow * product(apart, vector));
+    let imaginary = footprint.map(|vector| TAU * product(frequency, vector));
     let exponent = -0.5 * narrow * product(apart, apart) + 0.5 * (form(real, real) - form(imaginary, imaginary));
     let angle = TAU * product(frequency, apart) + phase + form(real, imaginary);
     libm::exp(exponent) * libm::cos(angle) / determinant.sqrt()
 }
 
-/// The square of a kernel's distance in the metric of its filtered envelope, rᵀ(I + 2π a² Σ)⁻¹r: the least of
-/// |r + u across + v along|² + (u² + v²)/(2π a²) over all u and v.
-pub fn distance(apart: [f64; 3], [across, along]: [[f64; 3]; 2]) -> f64 {
-    let narrow = TAU * BANDWIDTH * BANDWIDTH;
+/// The determinant of I + K, and the form aᵀ(I + K)⁻¹b: of two vectors K has the products, times `narrow`.
+fn plane(narrow: f64, [across, along]: [[f64; 3]; 2]) -> (f64, impl Fn([f64; 2], [f64; 2]) -> f64) {
     let [uu, uv, vv] = [product(across, across), product(across, along), product(along, along)];
     let area = cross(across, along);
     // Lagrange's identity: the product of the diagonal less a square loses it where both are long.
     let determinant = 1.0 + narrow * (uu + vv) + narrow * narrow * product(area, area);
-    let [a, b] = [across, along].map(|vector| narrow * product(apart, vector));
-    let u = (narrow * uv * b - (1.0 + narrow * vv) * a) / determinant;
-    let v = (narrow * uv * a - (1.0 + narrow * uu) * b) / determinant;
-    let left: [f64; 3] = std::array::from_fn(|axis| apart[axis] + u * across[axis] + v * along[axis]);
-    product(left, left) + (u * u + v * v) / narrow
+    let [uu, uv, vv] = [1.0 + narrow * uu, narrow * uv, 1.0 + narrow * vv];
+    let form = move |a: [f64; 2], b: [f64; 2]| {
+        (vv * a[0] * b[0] - uv * (a[0] * b[1] + a[1] * b[0]) + uu * a[1] * b[1]) / determinant
+    };
+    (determinant, form)
+}
+
+/// The square of a kernel's distance in the metric of its filtered envelope, rᵀ(I + 2π a² Σ)⁻¹r.
+pub fn distance(apart: [f64; 3], footprint: [[f64; 3]; 2]) -> f64 {
+    let narrow = TAU * BANDWIDTH * BANDWIDTH;
+    let along = footprint.map(|vector| product(apart, vector));
+    product(apart, apart) - narrow * plane(narrow, footprint).1(along, along)
 }
 
 /// The inverse of a matrix, by the cross products of its rows.
