@@ -32,9 +32,9 @@ impl Shader {
         Ok(Self { wgsl, parsed: Arc::new((module, info)) })
     }
 
-    /// As [`Self::new`], without parsing again what other texts have of it.
-    fn joined(path: &str, wgsl: String, others: &[&Self]) -> Result<Self, Error> {
-        let sources: Vec<_> = others.iter().map(|other| (other.wgsl(), other.parsed().0)).collect();
+    /// As [`Self::new`], without parsing again what modules have of it.
+    fn joined(path: &str, wgsl: String, modules: &[&Module]) -> Result<Self, Error> {
+        let sources: Vec<_> = modules.iter().map(|module| (module.wgsl(), module.linked.parsed().0)).collect();
         let joined =
             join::joined(&wgsl, &sources).and_then(|module| Some((validator().validate(&module).ok()?, module)));
         match joined {
@@ -185,8 +185,10 @@ pub fn link(modules: &[&Module], text: &str) -> Result<Shader, Error> {
     modules.iter().try_for_each(|module| hides_nothing(path, &own, module))?;
     // The user's text may have replaced what a driver's text declares, and with it what functions of modules mean.
     let replaceable = modules.iter().any(|module| !module.foreign.is_empty());
-    let others = if replaceable { Vec::new() } else { modules.iter().map(|module| &module.linked).collect() };
-    Shader::joined(path, linked, &others)
+    if modules.is_empty() || replaceable {
+        return Shader::new(path, linked);
+    }
+    Shader::joined(path, linked, modules)
 }
 
 fn validator() -> Validator {
